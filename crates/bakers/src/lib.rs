@@ -1,0 +1,1 @@
+//! Field to table: one folder per baker; no files, no printing.

@@ -1,0 +1,1 @@
+//! PNG, EXR, TIFF and NPY files into fields; every convention is decided here.

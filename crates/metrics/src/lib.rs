@@ -1,0 +1,1 @@
+//! Error between fields and between pictures: RMS, maximum, where it is worst, false colour.
