@@ -1,1 +1,80 @@
-//! The .barchan file: sections to bytes and back, and typed views of each table kind.
+//! The `.barchan` file: sections to bytes and back, and typed views of each table kind.
+//!
+//! The law is `formats/barchan-v1.md` and its sister pages; this crate follows them.
+//!
+//! # Reading
+//!
+//! Without features the crate is `no_std`, has no dependency and no allocator: [`Asset::open`] checks the structure and
+//! the header checksum of a `&[u8]` and hands out slices of it.
+//!
+//! ```
+//! # fn read(bytes: &[u8]) -> Option<f32> {
+//! use barchan_asset::{Asset, HorizonView, SectionKind};
+//!
+//! let asset = Asset::open(bytes).ok()?;
+//! let section = asset.section(SectionKind::HORIZON)?;
+//! let horizon = HorizonView::new(section.texture().ok()?, section.raw_payload()?).ok()?;
+//! Some(horizon.elevation_radians(0, 0, 0))
+//! # }
+//! ```
+//!
+//! Opening does not look at a payload. A stranger's file wants [`Section::is_intact`] or, with the feature `write`,
+//! `validate` before its values are trusted; no call panics on a bad file either way.
+//!
+//! # Features
+//!
+//! * `zstd` (needs std): `Section::payload` decodes zstd sections within [`Limits`].
+//! * `write` (needs std): `AssetWriter`, the quantiser, the content identity, `validate`, the published `vectors`.
+//!
+//! # The frame
+//!
+//! Row 0 is the top of the picture, u points right, v points up the picture, azimuth 0 is along +u and grows
+//! counter-clockwise as seen. Texel `(column, row)` is centred at `column + ½` along u.
+
+#![no_std]
+
+#[cfg(feature = "zstd")]
+extern crate std;
+
+mod asset;
+mod bytes;
+mod crc;
+mod descriptor;
+mod entry;
+mod error;
+mod half;
+mod kind;
+mod limits;
+#[cfg(feature = "zstd")]
+mod payload;
+mod rounding;
+mod section;
+mod terms;
+#[cfg(feature = "write")]
+mod validate;
+#[cfg(feature = "write")]
+pub mod vectors;
+mod view;
+mod views;
+#[cfg(feature = "write")]
+mod write;
+
+pub use asset::{Asset, MAJOR, MAX_SECTIONS, MINOR};
+pub use descriptor::{MAX_EXTENT, MAX_LAYERS, SECTION_VERSION, TextureDescriptor};
+pub use error::{DescriptorError, OpenError, SectionFault};
+pub use kind::SectionKind;
+pub use limits::Limits;
+#[cfg(feature = "zstd")]
+pub use payload::PayloadError;
+pub use rounding::{f32_at_least, f32_at_most};
+pub use section::{Codec, Section};
+pub use terms::{Filter, Format, LengthUnit, MipReducer, Semantic, Unit, Wrap};
+#[cfg(feature = "write")]
+pub use validate::{FINDINGS, Finding, FindingKind, Severity, validate};
+pub use view::TableView;
+pub use views::{DistanceView, HeightView, HorizonView, MAX_ELEVATION};
+#[cfg(feature = "write")]
+pub use write::{
+    AssetWriter, DistanceTable, EncodeError, Encoded, Encoding, HeightTable, HorizonTable, RawSection, TableGrid,
+    TextureTable, WriteError, content_identity, encode,
+};

@@ -1,1 +1,11 @@
-//! Field to table: one folder per baker; no files, no printing.
+//! The list of bakers, and nothing else: each is a folder that turns a typed field into a typed table.
+//!
+//! A baker opens no file, prints nothing and starts no thread of its own: how work runs is said by [`Exec`], which must
+//! not change a bit of the result.
+
+mod error;
+mod exec;
+pub mod horizon;
+
+pub use error::BakeError;
+pub use exec::Exec;

@@ -47,4 +47,16 @@ pub enum FieldError {
         /// The value given.
         value: f64,
     },
+    /// A shape's parameter is out of range.
+    #[error("{shape}: {name} is {value}; {accepted} is needed")]
+    Parameter {
+        /// The shape's name, as [`crate::Shape::name`] gives it.
+        shape: &'static str,
+        /// The parameter's name, as in recipes.
+        name: &'static str,
+        /// The value given.
+        value: f64,
+        /// What would be accepted.
+        accepted: &'static str,
+    },
 }

@@ -20,7 +20,9 @@
 mod error;
 mod grid;
 mod height_field;
+pub mod shapes;
 
 pub use error::FieldError;
 pub use grid::{Edge, Grid, LengthUnit, Spacing};
 pub use height_field::HeightField;
+pub use shapes::Shape;

@@ -1,1 +1,23 @@
-//! The run-time equations on the CPU, one file per technique, and the plain baselines beside them.
+//! The run-time equations on the CPU, one file per technique, with the plain baseline a user would pick instead.
+//!
+//! Everything here reads baked tables through `barchan_asset`'s views, as a shader would, in f32 where a shader has f32.
+//! What it is fed it treats as *the* surface: it knows nothing of source files, recipes or bakers.
+//!
+//! # Conventions
+//!
+//! The frame is the asset's: u right, v up the picture, height towards the viewer. A place on a table is given in texels
+//! from the centre of texel (0, 0): `x` counts columns, `y` rows downwards, so texel centres are whole numbers.
+
+mod horizon;
+mod light;
+mod picture;
+mod surface;
+mod texture;
+mod traced;
+
+pub use horizon::HorizonShadow;
+pub use light::DirectionalLight;
+pub use picture::{Palette, Picture, Pixels};
+pub use surface::Surface;
+pub use texture::Texture;
+pub use traced::TracedShadow;

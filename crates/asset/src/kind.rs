@@ -1,0 +1,83 @@
+//! What a section holds.
+
+use core::fmt;
+
+/// Four ASCII letters or digits that say what a section holds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SectionKind(pub [u8; 4]);
+
+/// Every kind this version knows, and its name. All lists of kinds derive from this one.
+const KNOWN: [(SectionKind, &str); 4] = [
+    (SectionKind::HEIGHT, "height"),
+    (SectionKind::HORIZON, "horizon"),
+    (SectionKind::DISTANCE, "distance"),
+    (SectionKind::PROVENANCE, "provenance"),
+];
+
+impl SectionKind {
+    /// Heights in the field's length unit.
+    pub const HEIGHT: Self = Self(*b"HGHT");
+    /// Horizon elevation angles in radians, one layer per azimuth.
+    pub const HORIZON: Self = Self(*b"HORZ");
+    /// Horizontal distances to the horizon point in the field's length unit, one layer per azimuth.
+    pub const DISTANCE: Self = Self(*b"DIST");
+    /// How the file came about: UTF-8 JSON.
+    pub const PROVENANCE: Self = Self(*b"PROV");
+
+    /// Every kind this version knows, in the order in which they are listed to people.
+    pub fn known() -> impl Iterator<Item = Self> {
+        KNOWN.into_iter().map(|(kind, _)| kind)
+    }
+
+    /// `height`, `horizon`, `distance` or `provenance`; `None` for a kind this version does not know.
+    #[must_use]
+    pub fn name(self) -> Option<&'static str> {
+        KNOWN.iter().find(|(kind, _)| *kind == self).map(|(_, name)| *name)
+    }
+
+    /// The kind with that [`Self::name`].
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        KNOWN.iter().find(|(_, known)| *known == name).map(|(kind, _)| *kind)
+    }
+
+    /// Whether the section is a table of texels, that is, whether [`crate::Section::texture`] applies.
+    #[must_use]
+    pub fn is_texture(self) -> bool {
+        matches!(self, Self::HEIGHT | Self::HORIZON | Self::DISTANCE)
+    }
+
+    /// Whether all four bytes are ASCII letters or digits, as the format asks.
+    #[must_use]
+    pub fn is_well_formed(self) -> bool {
+        self.0.iter().all(u8::is_ascii_alphanumeric)
+    }
+}
+
+/// The four characters, such as `HORZ`; other bytes as `\x00`.
+impl fmt::Display for SectionKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.0.escape_ascii())
+    }
+}
+
+impl fmt::Debug for SectionKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "SectionKind({self})")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_and_kinds_are_one_to_one() {
+        for kind in SectionKind::known() {
+            assert!(kind.is_well_formed());
+            assert_eq!(SectionKind::from_name(kind.name().unwrap()), Some(kind));
+        }
+        assert_eq!(SectionKind(*b"ZZZZ").name(), None);
+        assert_eq!(SectionKind::from_name("HGHT"), None);
+    }
+}

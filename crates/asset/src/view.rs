@@ -1,0 +1,94 @@
+//! A table of texels as numbers.
+
+use crate::bytes::{array_at, u16_at};
+use crate::half::f16_to_f32;
+use crate::{DescriptorError, Format, TextureDescriptor};
+
+/// A descriptor and its decoded payload, checked once to belong together.
+///
+/// # Decoding
+/// `value = scale · stored + bias` in f32, the product rounded before the sum is; `stored` is k / 255 rounded to f32,
+/// the half, or the float. A shader may fuse the two or flush subnormals: the descriptor's worst-case error covers that.
+///
+/// # Trust
+/// The payload's numbers are not looked at here. A hostile file can hold NaN or values outside the stated range:
+/// `validate` tells.
+#[derive(Debug, Clone, Copy)]
+pub struct TableView<'a> {
+    descriptor: TextureDescriptor,
+    payload: &'a [u8],
+    scale: f32,
+    bias: f32,
+}
+
+impl<'a> TableView<'a> {
+    /// `payload` is the decoded payload of the section that `descriptor` came from.
+    ///
+    /// # Errors
+    /// A descriptor that [`TextureDescriptor::check`] refuses, or a payload of another length than it asks for.
+    pub fn new(descriptor: TextureDescriptor, payload: &'a [u8]) -> Result<Self, DescriptorError> {
+        descriptor.check()?;
+        let (found, expected) = (payload.len() as u64, descriptor.payload_length());
+        if found != expected {
+            return Err(DescriptorError::PayloadLength { found, expected });
+        }
+        Ok(Self { descriptor, payload, scale: descriptor.scale as f32, bias: descriptor.bias as f32 })
+    }
+
+    /// What the table is.
+    #[must_use]
+    pub fn descriptor(&self) -> &TextureDescriptor {
+        &self.descriptor
+    }
+
+    /// The stored bytes of a layer: rows tight, ready for upload.
+    ///
+    /// # Panics
+    /// If there is no such layer.
+    #[must_use]
+    pub fn layer(&self, layer: u32) -> &'a [u8] {
+        assert!(layer < self.descriptor.layers, "layer {layer} of {}", self.descriptor.layers);
+        let start = self.descriptor.layer_offset(layer) as usize;
+        &self.payload[start..start + self.descriptor.layer_bytes() as usize]
+    }
+
+    /// The bytes between a layer and the next, which are zero in a valid file; empty behind the last.
+    #[must_use]
+    pub fn layer_padding(&self, layer: u32) -> &'a [u8] {
+        let start = self.descriptor.layer_offset(layer).saturating_add(self.descriptor.layer_bytes());
+        let end = self.descriptor.layer_offset(layer.saturating_add(1)).min(self.payload.len() as u64);
+        self.payload.get(start as usize..end as usize).unwrap_or(&[])
+    }
+
+    /// The decoded value of one texel, in the descriptor's unit.
+    ///
+    /// # Panics
+    /// If there is no such texel.
+    #[must_use]
+    pub fn value(&self, layer: u32, column: u32, row: u32) -> f32 {
+        let TextureDescriptor { width, height, .. } = self.descriptor;
+        assert!(column < width && row < height, "texel ({column}, {row}) of {width} × {height}");
+        self.decode(self.layer(layer), row as usize * width as usize + column as usize)
+    }
+
+    /// The decoded values of one row, left to right.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn row(&self, layer: u32, row: u32) -> impl ExactSizeIterator<Item = f32> + use<'a> {
+        assert!(row < self.descriptor.height, "row {row} of {}", self.descriptor.height);
+        let row_bytes = self.descriptor.row_bytes() as usize;
+        let texels = &self.layer(layer)[row as usize * row_bytes..][..row_bytes];
+        let (view, width) = (*self, self.descriptor.width as usize);
+        (0..width).map(move |column| view.decode(texels, column))
+    }
+
+    /// The `index`th texel of `texels`.
+    fn decode(&self, texels: &[u8], index: usize) -> f32 {
+        match self.descriptor.format {
+            Format::R8Unorm => self.scale * (f32::from(texels[index]) / 255.0) + self.bias,
+            Format::R16Float => self.scale * f16_to_f32(u16_at(texels, 2 * index)) + self.bias,
+            Format::R32Float => f32::from_le_bytes(array_at(texels, 4 * index)),
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! The format pages and the code say the same.
+
+use std::fs;
+use std::path::PathBuf;
+
+use barchan_asset::{FINDINGS, MAX_EXTENT, MAX_LAYERS, MAX_SECTIONS, SectionKind, vectors};
+
+fn page(name: &str) -> String {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../formats").join(name);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+#[test]
+fn the_container_page_lists_every_finding_and_no_other() {
+    let page = page("barchan-v1.md");
+    let listed: Vec<&str> = page.lines().filter(|line| line.starts_with("| B0")).collect();
+    let expected: Vec<String> =
+        FINDINGS.iter().map(|kind| format!("| {} | {} | {} |", kind.id, kind.severity.name(), kind.summary)).collect();
+    assert_eq!(listed, expected);
+}
+
+#[test]
+fn the_container_page_names_every_kind_bound_and_vector() {
+    let page = page("barchan-v1.md");
+    for kind in SectionKind::known() {
+        assert!(page.contains(&format!("`{kind}`")), "{kind}");
+    }
+    for bound in [MAX_SECTIONS, MAX_EXTENT, MAX_LAYERS] {
+        assert!(page.contains(&format!(" {bound}")), "{bound}");
+    }
+    for vector in vectors::all().unwrap() {
+        assert!(page.contains(&format!("`{}`", vector.name)), "{}", vector.name);
+    }
+}
+
+/// The hex lines of the worked example are the bytes of the vector it names.
+#[test]
+fn the_worked_example_is_the_published_vector() {
+    let page = page("barchan-v1.md");
+    let vector = vectors::all().unwrap().into_iter().find(|vector| vector.name == "height-u8-repeat-clamp").unwrap();
+    let mut lines = 0;
+    for line in page.lines().filter(|line| line.len() > 9 && line.as_bytes()[4..6] == *b"  ") {
+        let Ok(at) = usize::from_str_radix(&line[..4], 16) else { continue };
+        let hex = line[6..].split("   ").next().unwrap_or_default();
+        for (i, byte) in hex.split_whitespace().enumerate() {
+            assert_eq!(u8::from_str_radix(byte, 16), Ok(vector.bytes[at + i]), "{at:#06x} + {i}");
+        }
+        lines += 1;
+    }
+    assert!(lines >= 20, "the example has {lines} lines");
+}

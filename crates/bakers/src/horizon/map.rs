@@ -1,0 +1,118 @@
+//! The typed table a horizon bake returns, before any encoding.
+
+use barchan_asset::{MAX_ELEVATION, f32_at_most};
+use barchan_field::{Grid, HeightField};
+
+use super::HorizonParams;
+use crate::{BakeError, Exec};
+
+/// One bound for what a bake may hold in memory.
+const MAX_MAP_BYTES: u64 = 1 << 36;
+
+/// Where the horizon of a texel lies in one direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HorizonPoint {
+    /// Rise over run from the texel to the horizon point: the tangent of its elevation, signed.
+    pub slope: f64,
+    /// Distance to the horizon point along the base plane, in the field's length unit. 0 where the slope is the limit
+    /// at the texel itself: the surface falls away below its own tangent.
+    pub distance: f64,
+}
+
+impl HorizonPoint {
+    /// Lower and nearer than any point.
+    pub(crate) const NONE: Self = Self { slope: f64::NEG_INFINITY, distance: 0.0 };
+
+    /// Takes the point if it is higher, or as high and farther: a level field's horizon is at the search radius.
+    #[inline]
+    pub(crate) fn raise(&mut self, slope: f64, distance: f64) {
+        if slope > self.slope || (slope == self.slope && distance > self.distance) {
+            *self = Self { slope, distance };
+        }
+    }
+}
+
+/// Horizon elevations, and distances where asked for, of every texel in every direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HorizonMap {
+    /// The grid of the field it was baked from.
+    pub grid: Grid,
+    /// What was baked.
+    pub params: HorizonParams,
+    /// `[direction][row][column]`, elevation above the base plane in radians, within ±[`MAX_ELEVATION`].
+    pub elevation_radians: Vec<f32>,
+    /// `[direction][row][column]`, distance along the base plane in the length unit, 0 to the radius.
+    pub distance: Option<Vec<f32>>,
+}
+
+impl HorizonMap {
+    /// Checks, allocates, and lets `bake_layer(direction, layer)` fill one direction at a time, in parallel.
+    pub(crate) fn fill(
+        field: &HeightField,
+        params: &HorizonParams,
+        exec: &Exec,
+        bake_layer: impl Fn(u32, LayerMut) + Sync,
+    ) -> Result<Self, BakeError> {
+        params.check(field)?;
+        let texels = field.grid().texels();
+        let values = bounded_values(texels, params)?;
+        let mut elevation_radians = vec![0.0; values];
+        let mut distance = params.distance.then(|| vec![0.0; values]);
+        let layers = split_layers(&mut elevation_radians, distance.as_deref_mut(), texels, params.radius);
+        exec.for_each(layers, |direction, layer| bake_layer(direction as u32, layer));
+        Ok(Self { grid: *field.grid(), params: *params, elevation_radians, distance })
+    }
+
+    /// The elevations of one direction, row by row, in radians.
+    #[must_use]
+    pub fn elevation_layer(&self, direction: u32) -> &[f32] {
+        let texels = self.grid.texels();
+        &self.elevation_radians[direction as usize * texels..][..texels]
+    }
+}
+
+fn bounded_values(texels: usize, params: &HorizonParams) -> Result<usize, BakeError> {
+    let values = texels as u64 * u64::from(params.directions);
+    let bytes = values * if params.distance { 8 } else { 4 };
+    if bytes > MAX_MAP_BYTES {
+        return Err(BakeError::TooLarge { what: "the horizon map", bytes, limit: MAX_MAP_BYTES });
+    }
+    Ok(values as usize)
+}
+
+/// One direction's share of the output.
+pub(crate) struct LayerMut<'a> {
+    elevation_radians: &'a mut [f32],
+    distance: Option<&'a mut [f32]>,
+    /// The largest distance that is not beyond the radius.
+    farthest: f32,
+}
+
+impl LayerMut<'_> {
+    #[inline]
+    pub(crate) fn set(&mut self, index: usize, point: HorizonPoint) {
+        // f32 keeps any slope's angle to 3e-8 rad, and a slope beyond f32 is a wall in either precision.
+        let elevation = libm::atanf(point.slope as f32);
+        self.elevation_radians[index] = elevation.clamp(-MAX_ELEVATION, MAX_ELEVATION);
+        if let Some(distance) = &mut self.distance {
+            distance[index] = (point.distance as f32).min(self.farthest);
+        }
+    }
+}
+
+fn split_layers<'a>(
+    elevation: &'a mut [f32],
+    distance: Option<&'a mut [f32]>,
+    texels: usize,
+    radius: f64,
+) -> Vec<LayerMut<'a>> {
+    let mut distances = distance.map(|all| all.chunks_exact_mut(texels));
+    elevation
+        .chunks_exact_mut(texels)
+        .map(|elevation_radians| LayerMut {
+            elevation_radians,
+            distance: distances.as_mut().and_then(Iterator::next),
+            farthest: f32_at_most(radius),
+        })
+        .collect()
+}

@@ -1,0 +1,52 @@
+//! Horizon and distance maps from a height field.
+//!
+//! # What is baked
+//!
+//! For texel P and azimuth φ, with h the bilinear surface,
+//!
+//! > δ = sup over 0 < s ≤ radius of (h(P + s φ̂) − h(P)) / s
+//!
+//! is the slope of the horizon, and d the distance s at which it is reached: Koiichi Onoue, Nelson Max, Tomoyuki
+//! Nishita, *Bumpmap Shadows on Curved Surfaces*, eq 4, after Nelson Max, *Horizon mapping: shadows for bump-mapped
+//! surfaces*, 1988. The table holds the elevation atan δ, which is bounded where δ is not.
+//!
+//! # Departures
+//!
+//! - Eq 4 as printed drops −h(P) and misplaces a parenthesis; the form above is the one meant.
+//! - δ is signed: a peak sees its horizon below the horizontal, and shading on a curved surface needs to know.
+//! - The surface is the bilinear one between samples and on beyond the edge by the field's policy; it is not sampled
+//!   along the ray. Where it falls away below its own tangent, the supremum is the limit s → 0, and d is 0.
+//! - Of several points at the same slope the farthest counts, so a level field has d = radius, never 0.
+//!
+//! # Conventions
+//!
+//! N azimuths 2πk/N, k = 0 along +u, counter-clockwise as seen in the picture; v points up the picture. φ̂ is a unit
+//! vector in lengths, not in texels: with texels twice as high as wide, 45° is not the texel diagonal.
+
+mod direction;
+mod hull;
+mod map;
+mod params;
+mod ray;
+pub mod reference;
+mod relief;
+mod sweep;
+
+use barchan_field::HeightField;
+
+pub use direction::azimuth_vector;
+pub use map::{HorizonMap, HorizonPoint};
+pub use params::{HorizonParams, MAX_DIRECTIONS, MAX_RADIUS_TEXELS};
+
+use crate::{BakeError, Exec};
+
+/// Names the algorithm in provenance. It changes when a bake's bytes do.
+pub const ALGORITHM: &str = "horizon-sweep-1";
+
+/// Bakes by line sweeps: the same bytes for any number of threads. Never above the [`reference`], and how far below is
+/// what the README and each asset's provenance report.
+pub fn bake(field: &HeightField, params: &HorizonParams, exec: &Exec) -> Result<HorizonMap, BakeError> {
+    HorizonMap::fill(field, params, exec, |direction, mut layer| {
+        sweep::bake_layer(field, params, direction, &mut layer);
+    })
+}
