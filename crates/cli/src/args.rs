@@ -1,0 +1,270 @@
+//! The command line: what may be typed.
+
+use std::path::PathBuf;
+
+use barchan_field::{Edge, LengthUnit, Spacing};
+use barchan_import::Fill;
+use barchan_pipeline::{Compression, Table, TableEncoding};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Bakes relief into tables that a shader can read.
+#[derive(Debug, Parser)]
+#[command(name = "barchan", version, max_term_width = 100, after_help = EXIT_CODES)]
+pub(crate) struct Arguments {
+    /// Print the result as JSON with a versioned schema name
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 difference found, 4 disk or system failed.";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Bake a recipe or a height map into a .barchan file
+    Bake(BakeArguments),
+    /// Show what a .barchan file holds
+    Inspect(FileArguments),
+    /// Write a table's values as text, CSV, NPY, PNG or EXR
+    Dump(DumpArguments),
+    /// Check every byte of a .barchan file
+    Validate(FileArguments),
+    /// Compare two .barchan files value by value
+    Compare(CompareArguments),
+    /// Draw the height field lit by a sun, with its horizon shadows
+    Render(RenderArguments),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct FileArguments {
+    /// The .barchan file
+    pub(crate) file: PathBuf,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  barchan bake samples/dunes.ron
+  barchan bake rock.png --height-scale 12 --edge wrap --encoding u8 -o rock.barchan
+  barchan bake elevation.tif --spacing 74,93 --unit metre --radius 20000 --json")]
+pub(crate) struct BakeArguments {
+    /// A recipe (.ron), or a height map (PNG, EXR, TIFF, NPY)
+    pub(crate) input: PathBuf,
+    /// Where to write [default: the input's name with .barchan, in this folder]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Bake these tables and no others: height, horizon, distance
+    #[arg(long, value_name = "TABLE,..", value_delimiter = ',', value_parser = table)]
+    pub(crate) only: Option<Vec<Table>>,
+    /// Worker threads; 0 is one per core
+    #[arg(short = 'j', long, value_name = "N", default_value_t = 0)]
+    pub(crate) jobs: usize,
+    /// How to show progress on stderr
+    #[arg(long, value_name = "STYLE", default_value = "auto")]
+    pub(crate) progress: ProgressStyleName,
+    #[command(flatten)]
+    pub(crate) height_map: HeightMapArguments,
+}
+
+/// What a recipe would say, for a height map without one.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "For a height map without a recipe")]
+pub(crate) struct HeightMapArguments {
+    /// Azimuths to bake, the first along +u, counter-clockwise [default: 32]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(barchan_asset::MAX_LAYERS)))]
+    pub(crate) directions: Option<u32>,
+    /// What lies beyond the edge: wrap or clamp [default: clamp]
+    #[arg(long, value_name = "EDGE", value_parser = edge)]
+    pub(crate) edge: Option<Edge>,
+    /// Length per texel, or two: along u and along v [default: 1]
+    #[arg(long, value_name = "LENGTH[,LENGTH]", allow_hyphen_values = true, value_parser = spacing)]
+    pub(crate) spacing: Option<Spacing>,
+    /// The unit of heights, spacing and radius: metre, centimetre, millimetre, kilometre [default: scene_unit]
+    #[arg(long, value_parser = unit)]
+    pub(crate) unit: Option<LengthUnit>,
+    /// Height of a sample of 1; integer samples are normalised first, so it is the height of white [default: 1]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = finite)]
+    pub(crate) height_scale: Option<f64>,
+    /// Height of a sample of 0 [default: 0]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = finite)]
+    pub(crate) height_offset: Option<f64>,
+    /// How far the horizon is searched [default: the diagonal; the longer side if the map wraps]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = positive)]
+    pub(crate) radius: Option<f64>,
+    /// How tables are stored: f32, f16 or u8 [default: f16]
+    #[arg(long, value_parser = encoding)]
+    pub(crate) encoding: Option<TableEncoding>,
+    /// How sections are packed: none or zstd [default: none]
+    #[arg(long, value_parser = compression)]
+    pub(crate) compression: Option<Compression>,
+    /// The channel that holds the height
+    #[arg(long, value_name = "NAME")]
+    pub(crate) channel: Option<String>,
+    /// The raw sample that stands for no data
+    #[arg(long, value_name = "SAMPLE", allow_hyphen_values = true, value_parser = finite)]
+    pub(crate) no_data: Option<f64>,
+    /// The height of texels without data: lowest, nearest or a length
+    #[arg(long, value_name = "RULE", allow_hyphen_values = true, value_parser = fill)]
+    pub(crate) fill: Option<Fill>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ProgressStyleName {
+    /// A bar if stderr is a terminal
+    Auto,
+    /// A line per step
+    Plain,
+    /// An object per line
+    Json,
+    /// Nothing
+    None,
+}
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Values: height and distance in the length unit, horizon as the slope (tangent of the elevation) \
+in npy, as degrees in text, as both in csv, as radians in exr, over the table's range in png.
+
+Examples:
+  barchan dump dunes.barchan horizon --format npy -o horizon.npy     float32 [directions, height, width]
+  barchan dump dunes.barchan height --format exr -o height.exr
+  barchan dump dunes.barchan horizon --layer 4 --format png -o east.png
+  barchan dump dunes.barchan height --format csv | head"
+)]
+pub(crate) struct DumpArguments {
+    /// The .barchan file
+    pub(crate) file: PathBuf,
+    /// height, horizon or distance; may be left out if the file has one table
+    #[arg(value_parser = table)]
+    pub(crate) table: Option<Table>,
+    /// One layer (direction) only
+    #[arg(long, value_name = "N")]
+    pub(crate) layer: Option<u32>,
+    /// Mip level
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) mip: u32,
+    #[arg(long, default_value = "text")]
+    pub(crate) format: DumpFormat,
+    /// Where to write; text and csv go to stdout by default
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DumpFormat {
+    /// Rows of numbers for people
+    Text,
+    /// A line per value
+    Csv,
+    /// A float32 NumPy array
+    Npy,
+    /// A grey picture, 16 bits; layers in a contact sheet
+    Png,
+    /// Float channels, one per layer
+    Exr,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompareArguments {
+    /// The first .barchan file
+    pub(crate) a: PathBuf,
+    /// The second
+    pub(crate) b: PathBuf,
+    /// The difference to accept: degrees for the horizon, the length unit for heights and distances
+    #[arg(long, value_name = "VALUE", default_value_t = 0.0, allow_hyphen_values = true, value_parser = not_negative)]
+    pub(crate) tolerance: f64,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  barchan render dunes.barchan -o dunes.png
+  barchan render dunes.barchan --azimuth 135 --elevation 10 --compare -o check.png")]
+pub(crate) struct RenderArguments {
+    /// The .barchan file; it needs the height and horizon tables
+    pub(crate) file: PathBuf,
+    /// Where to write the PNG
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: PathBuf,
+    /// Where the sun stands, in degrees counter-clockwise from +u (the right of the picture)
+    #[arg(long, value_name = "DEGREES", default_value_t = 135.0, allow_hyphen_values = true, value_parser = finite)]
+    pub(crate) azimuth: f64,
+    /// How high it stands, in degrees above the base plane
+    #[arg(long, value_name = "DEGREES", default_value_t = 20.0, allow_hyphen_values = true, value_parser = elevation)]
+    pub(crate) elevation: f64,
+    /// Pixels per texel
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub(crate) scale: u32,
+    /// Put a ray-traced shadow and the difference beside it: red is too dark, blue too light
+    #[arg(long)]
+    pub(crate) compare: bool,
+}
+
+/// A parser of words from a fixed list.
+fn word<T: Copy>(text: &str, words: &[(&str, T)]) -> Result<T, String> {
+    let found = words.iter().find(|(word, _)| *word == text);
+    found.map(|(_, value)| *value).ok_or_else(|| {
+        let accepted: Vec<_> = words.iter().map(|(word, _)| *word).collect();
+        format!("accepted: {}", accepted.join(", "))
+    })
+}
+
+fn table(text: &str) -> Result<Table, String> {
+    word(text, &Table::ALL.map(|table| (table.name(), table)))
+}
+
+fn edge(text: &str) -> Result<Edge, String> {
+    word(text, &[Edge::Wrap, Edge::Clamp].map(|edge| (edge.name(), edge)))
+}
+
+fn unit(text: &str) -> Result<LengthUnit, String> {
+    let units = [
+        ("scene_unit", LengthUnit::SceneUnit),
+        ("metre", LengthUnit::Metre),
+        ("centimetre", LengthUnit::Centimetre),
+        ("millimetre", LengthUnit::Millimetre),
+        ("kilometre", LengthUnit::Kilometre),
+    ];
+    word(text, &units)
+}
+
+fn encoding(text: &str) -> Result<TableEncoding, String> {
+    word(text, &[("f32", TableEncoding::F32), ("f16", TableEncoding::F16), ("u8", TableEncoding::U8)])
+}
+
+fn compression(text: &str) -> Result<Compression, String> {
+    word(text, &[("none", Compression::None), ("zstd", Compression::Zstd)])
+}
+
+fn fill(text: &str) -> Result<Fill, String> {
+    match text {
+        "lowest" => Ok(Fill::Lowest),
+        "nearest" => Ok(Fill::Nearest),
+        length => finite(length).map(Fill::Value).map_err(|_| "accepted: lowest, nearest or a length".to_owned()),
+    }
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    number(text, "a finite number", |value| value.is_finite())
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    number(text, "a positive number", |value| value > 0.0 && value.is_finite())
+}
+
+fn not_negative(text: &str) -> Result<f64, String> {
+    number(text, "a number that is not negative", |value| value >= 0.0 && value.is_finite())
+}
+
+fn elevation(text: &str) -> Result<f64, String> {
+    number(text, "-90 to 90 degrees", |value| (-90.0..=90.0).contains(&value))
+}
+
+fn number(text: &str, accepted: &str, accepts: impl Fn(f64) -> bool) -> Result<f64, String> {
+    text.trim().parse().ok().filter(|&value| accepts(value)).ok_or_else(|| format!("accepted: {accepted}"))
+}
+
+fn spacing(text: &str) -> Result<Spacing, String> {
+    let (u, v) = text.split_once(',').unwrap_or((text, text));
+    let length = |text: &str| text.trim().parse().map_err(|_| "accepted: a length, or two with a comma".to_owned());
+    Spacing::new(length(u)?, length(v)?).map_err(|error| error.to_string())
+}

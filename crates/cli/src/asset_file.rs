@@ -1,0 +1,96 @@
+//! A `.barchan` file on disk, and its tables decoded.
+
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+
+use barchan_asset::{Asset, Limits, Section, TableView, TextureDescriptor};
+use barchan_pipeline::Table;
+
+use crate::failure::Failure;
+
+/// A file's bytes, with their name for messages.
+pub(crate) struct AssetFile {
+    pub(crate) path: PathBuf,
+    pub(crate) bytes: Vec<u8>,
+}
+
+/// A table's descriptor and decoded payload.
+pub(crate) struct DecodedTable<'a> {
+    pub(crate) table: Table,
+    pub(crate) descriptor: TextureDescriptor,
+    pub(crate) payload: Cow<'a, [u8]>,
+}
+
+impl AssetFile {
+    pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
+        if path.is_dir() {
+            return Err(Failure::Io(format!("{}: this is a folder; a .barchan file is needed", path.display())));
+        }
+        let bytes = std::fs::read(path).map_err(|error| Failure::io(path, "cannot be read", &error))?;
+        Ok(Self { path: path.to_owned(), bytes })
+    }
+
+    pub(crate) fn open(&self) -> Result<Asset<'_>, Failure> {
+        Asset::open(&self.bytes).map_err(|error| self.content(error))
+    }
+
+    /// A complaint about this file's content.
+    pub(crate) fn content(&self, error: impl std::fmt::Display) -> Failure {
+        Failure::content(&self.path, error)
+    }
+
+    /// The tables that are there, in the order of the file's kinds.
+    pub(crate) fn tables(&self) -> Result<Vec<Table>, Failure> {
+        let asset = self.open()?;
+        Ok(Table::ALL.into_iter().filter(|table| asset.section(table.kind()).is_some()).collect())
+    }
+
+    /// Decodes a table, checking its bytes; an error if the file does not have it.
+    pub(crate) fn decode(&self, table: Table) -> Result<DecodedTable<'_>, Failure> {
+        let missing = || {
+            let present = self.tables().map(|tables| list(&tables)).unwrap_or_default();
+            self.content(format!("there is no {} table; the file has {present}", table.name()))
+        };
+        let section = self.open()?.section(table.kind()).ok_or_else(missing)?;
+        self.decode_section(table, &section)
+    }
+
+    fn decode_section<'a>(&self, table: Table, section: &Section<'a>) -> Result<DecodedTable<'a>, Failure> {
+        let fail = |error: &dyn std::fmt::Display| self.content(format!("{}: {error}", table.name()));
+        if !section.is_intact() {
+            return Err(fail(&"the checksum does not match; the file is damaged"));
+        }
+        let descriptor = section.texture().map_err(|error| fail(&error))?;
+        let payload = section.payload(&limits()).map_err(|error| fail(&error))?;
+        // Checked here once, so that views made from it later cannot fail.
+        TableView::new(descriptor, &payload).map_err(|error| fail(&error))?;
+        Ok(DecodedTable { table, descriptor, payload })
+    }
+}
+
+impl DecodedTable<'_> {
+    /// The table as numbers.
+    pub(crate) fn view(&self) -> TableView<'_> {
+        TableView::new(self.descriptor, &self.payload).expect("checked when it was decoded")
+    }
+
+    /// The azimuth of a layer in degrees.
+    pub(crate) fn azimuth_degrees(&self, layer: u32) -> f64 {
+        (self.descriptor.first_azimuth + f64::from(layer) * self.descriptor.azimuth_step).to_degrees()
+    }
+}
+
+/// What the program decodes at most: far more than any bake writes, far less than a bomb.
+pub(crate) fn limits() -> Limits {
+    Limits { max_decoded_bytes: 1 << 36, ..Limits::default() }
+}
+
+/// `height, horizon and distance`, or `no table`.
+pub(crate) fn list(tables: &[Table]) -> String {
+    let names: Vec<_> = tables.iter().map(|table| table.name()).collect();
+    match names.split_last() {
+        None => "no table".to_owned(),
+        Some((last, [])) => (*last).to_owned(),
+        Some((last, first)) => format!("{} and {last}", first.join(", ")),
+    }
+}

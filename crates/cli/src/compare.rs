@@ -1,0 +1,168 @@
+//! `barchan compare`: the first difference between two files, and how large differences are.
+
+use std::fmt::Write;
+
+use barchan_asset::{TextureDescriptor, Unit};
+use barchan_metrics::{ErrorStats, first_difference};
+use barchan_pipeline::Table;
+use serde::Serialize;
+
+use crate::args::CompareArguments;
+use crate::asset_file::{AssetFile, DecodedTable};
+use crate::console::{self, number};
+use crate::failure::{ExitStatus, Failure};
+
+#[derive(Serialize)]
+struct Report {
+    schema: &'static str,
+    a: String,
+    b: String,
+    tolerance: f64,
+    same: bool,
+    tables: Vec<TableReport>,
+}
+
+#[derive(Serialize)]
+struct TableReport {
+    table: &'static str,
+    same: bool,
+    /// What keeps the values from being compared: the table is only in one file, or has another shape.
+    mismatch: Option<String>,
+    values: Option<ValueReport>,
+}
+
+/// Differences `b − a`, in degrees for the horizon and in the length unit for the rest.
+#[derive(Serialize)]
+struct ValueReport {
+    unit: &'static str,
+    rms: f64,
+    max: f64,
+    first: Option<Place>,
+    worst: Option<Place>,
+}
+
+#[derive(Serialize)]
+struct Place {
+    layer: u32,
+    column: u32,
+    row: u32,
+    a: f32,
+    b: f32,
+}
+
+pub(crate) fn run(arguments: &CompareArguments, json: bool) -> Result<ExitStatus, Failure> {
+    let (a, b) = (AssetFile::read(&arguments.a)?, AssetFile::read(&arguments.b)?);
+    let tables = compare(&a, &b, arguments.tolerance)?;
+    let report = Report {
+        schema: "barchan.compare/1",
+        a: a.path.display().to_string(),
+        b: b.path.display().to_string(),
+        tolerance: arguments.tolerance,
+        same: tables.iter().all(|table| table.same),
+        tables,
+    };
+    console::present(&report, json, describe)?;
+    Ok(if report.same { ExitStatus::Success } else { ExitStatus::Difference })
+}
+
+fn compare(a: &AssetFile, b: &AssetFile, tolerance: f64) -> Result<Vec<TableReport>, Failure> {
+    let (in_a, in_b) = (a.tables()?, b.tables()?);
+    let mut reports = Vec::new();
+    for table in Table::ALL {
+        let report = match (in_a.contains(&table), in_b.contains(&table)) {
+            (false, false) => continue,
+            (true, true) => compare_table(&a.decode(table)?, &b.decode(table)?, tolerance),
+            (only_a, _) => {
+                let holder = if only_a { a } else { b };
+                mismatched(table, format!("only {} has it", holder.path.display()))
+            }
+        };
+        reports.push(report);
+    }
+    Ok(reports)
+}
+
+fn mismatched(table: Table, mismatch: String) -> TableReport {
+    TableReport { table: table.name(), same: false, mismatch: Some(mismatch), values: None }
+}
+
+fn compare_table(a: &DecodedTable<'_>, b: &DecodedTable<'_>, tolerance: f64) -> TableReport {
+    if let Some(mismatch) = shape_mismatch(&a.descriptor, &b.descriptor) {
+        return mismatched(a.table, mismatch);
+    }
+    let (values_a, values_b) = (comparable(a), comparable(b));
+    let stats = ErrorStats::between(&values_a, &values_b);
+    let descriptor = &a.descriptor;
+    let place = |index: usize| {
+        let (width, texels) = (descriptor.width as usize, descriptor.width as usize * descriptor.height as usize);
+        Place {
+            layer: (index / texels) as u32,
+            column: (index % width) as u32,
+            row: (index % texels / width) as u32,
+            a: values_a[index],
+            b: values_b[index],
+        }
+    };
+    let first = first_difference(&values_a, &values_b, tolerance).map(|difference| place(difference.index));
+    let worst = stats.worst().filter(|_| stats.max() > 0.0).map(|index| place(index as usize));
+    let unit = match descriptor.unit {
+        Unit::Radian => "degrees",
+        Unit::Length(length) => length.symbol(),
+    };
+    let values = ValueReport { unit, rms: stats.rms(), max: stats.max(), first, worst };
+    TableReport { table: a.table.name(), same: values.first.is_none(), mismatch: None, values: Some(values) }
+}
+
+/// Facts that must agree before values can be compared. Encodings may differ: decoded values are what counts.
+fn shape_mismatch(a: &TextureDescriptor, b: &TextureDescriptor) -> Option<String> {
+    let facts = |d: &TextureDescriptor| {
+        [
+            ("extent", format!("{} × {} × {} layers", d.width, d.height, d.layers)),
+            ("spacing", format!("{} × {}", d.spacing_u, d.spacing_v)),
+            ("length unit", d.length_unit.name().to_owned()),
+            ("edge", format!("{} / {}", d.wrap_u.name(), d.wrap_v.name())),
+            ("search radius", d.search_radius.to_string()),
+        ]
+    };
+    let different = facts(a).into_iter().zip(facts(b)).find(|(a, b)| a != b);
+    different.map(|((fact, a), (_, b))| format!("{fact} is {a} in one and {b} in the other"))
+}
+
+/// All decoded values, angles in degrees.
+fn comparable(table: &DecodedTable<'_>) -> Vec<f32> {
+    let (view, descriptor) = (table.view(), &table.descriptor);
+    let rows = (0..descriptor.layers).flat_map(|layer| (0..descriptor.height).map(move |row| (layer, row)));
+    let values = rows.flat_map(|(layer, row)| view.row(layer, row));
+    match descriptor.unit {
+        Unit::Radian => values.map(|radians| f64::from(radians).to_degrees() as f32).collect(),
+        Unit::Length(_) => values.collect(),
+    }
+}
+
+fn describe(report: &Report) -> String {
+    let mut text = String::new();
+    for table in &report.tables {
+        let words = match (&table.mismatch, &table.values) {
+            (Some(mismatch), _) => mismatch.clone(),
+            (None, Some(values)) => values_words(values),
+            (None, None) => String::new(),
+        };
+        // Writing into a String cannot fail.
+        let _ = writeln!(text, "{:9} {words}", table.table);
+    }
+    let verdict = if report.same { "the same" } else { "different" };
+    let _ = writeln!(text, "{} and {}: {verdict} at tolerance {}", report.a, report.b, report.tolerance);
+    text
+}
+
+fn values_words(values: &ValueReport) -> String {
+    let ValueReport { unit, rms, max, first, worst } = values;
+    let place = |name: &str, place: &Option<Place>| {
+        place.as_ref().map_or_else(String::new, |at| {
+            let Place { layer, column, row, a, b } = at;
+            format!("; {name} at layer {layer}, column {column}, row {row}: {a} and {b}")
+        })
+    };
+    let (rms, max) = (number(*rms), number(*max));
+    format!("RMS {rms} {unit}, at most {max} {unit}{}{}", place("first", first), place("worst", worst))
+}

@@ -1,0 +1,53 @@
+//! Files appear whole or not at all.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use tempfile::{Builder, NamedTempFile};
+
+use crate::failure::Failure;
+
+/// Writes a file under a temporary name in the same folder and renames it into place: on any failure the previous file
+/// is as it was, and nothing is left behind.
+pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let cannot = |error: &std::io::Error| Failure::io(path, "cannot be written", error);
+    let folder = folder_of(path);
+    check(path, &folder)?;
+    let mut file = temporary(&folder).map_err(|error| cannot(&error))?;
+    file.write_all(bytes).map_err(|error| cannot(&error))?;
+    file.as_file().sync_all().map_err(|error| cannot(&error))?;
+    file.persist(path).map_err(|error| cannot(&error.error))?;
+    Ok(())
+}
+
+/// Refuses an output that cannot become a file, before work is spent on it.
+pub(crate) fn check_writable(path: &Path) -> Result<(), Failure> {
+    check(path, &folder_of(path))
+}
+
+fn check(path: &Path, folder: &Path) -> Result<(), Failure> {
+    if !folder.is_dir() {
+        let shown = folder.display();
+        return Err(Failure::Io(format!("{}: the folder {shown} does not exist; create it first", path.display())));
+    }
+    if path.is_dir() {
+        return Err(Failure::Io(format!("{}: this is a folder; a file name is needed", path.display())));
+    }
+    Ok(())
+}
+
+fn folder_of(path: &Path) -> PathBuf {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+fn temporary(folder: &Path) -> std::io::Result<NamedTempFile> {
+    let mut builder = Builder::new();
+    builder.prefix(".barchan-");
+    // A temporary file is private by default; this one is going to be a result like any other.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder)
+}

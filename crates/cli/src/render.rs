@@ -1,0 +1,148 @@
+//! `barchan render`: a picture that shows at once whether a bake is right.
+
+use std::io::Cursor;
+
+use barchan_asset::{HeightView, HorizonView};
+use barchan_metrics::{MaskDisagreement, signed_colour};
+use barchan_pipeline::Table;
+use barchan_shade::{DirectionalLight, HorizonShadow, Palette, Picture, Pixels, Surface, TracedShadow};
+use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
+use serde::Serialize;
+
+use crate::args::RenderArguments;
+use crate::asset_file::AssetFile;
+use crate::console;
+use crate::failure::{ExitStatus, Failure};
+use crate::output;
+
+/// White pixels between pictures that stand side by side.
+const GAP_PIXELS: u32 = 8;
+
+/// The most pixels drawn: a 16k square.
+const MAX_PIXELS: u64 = 1 << 28;
+
+#[derive(Serialize)]
+struct Report {
+    schema: &'static str,
+    file: String,
+    output: String,
+    azimuth_degrees: f64,
+    elevation_degrees: f64,
+    width: u32,
+    height: u32,
+    shadow_share: f64,
+    /// Against the ray-traced shadow, with `--compare`.
+    comparison: Option<Comparison>,
+}
+
+#[derive(Serialize)]
+struct Comparison {
+    wrong_share: f64,
+    false_shadow_pixels: u64,
+    missed_shadow_pixels: u64,
+}
+
+pub(crate) fn run(arguments: &RenderArguments, json: bool) -> Result<ExitStatus, Failure> {
+    output::check_writable(&arguments.output)?;
+    let file = AssetFile::read(&arguments.file)?;
+    let (height, horizon) = (file.decode(Table::Height)?, file.decode(Table::Horizon)?);
+    let heights = HeightView::new(height.descriptor, &height.payload).map_err(|error| file.content(error))?;
+    let horizon = HorizonView::new(horizon.descriptor, &horizon.payload).map_err(|error| file.content(error))?;
+    if (heights.width(), heights.height()) != (horizon.width(), horizon.height()) {
+        return Err(file.content("height and horizon differ in extent; a picture needs them to agree"));
+    }
+    let surface = Surface::new(&heights);
+    let pixels = pixels(&file, &surface, arguments.scale)?;
+    let light = DirectionalLight::from_degrees(arguments.azimuth, arguments.elevation);
+    let (picture, report) = draw(arguments, &surface, &horizon, &light, &pixels);
+    output::write_whole(&arguments.output, &png(&picture)?)?;
+    console::present(&report, json, describe)?;
+    Ok(ExitStatus::Success)
+}
+
+fn pixels(file: &AssetFile, surface: &Surface, scale: u32) -> Result<Pixels, Failure> {
+    let pixels = Pixels::over(surface, scale);
+    if u64::from(pixels.width) * u64::from(pixels.height) > MAX_PIXELS {
+        let (width, height) = (pixels.width, pixels.height);
+        return Err(file.content(format!("the picture would be {width} × {height} pixels; at most 2^28 are drawn")));
+    }
+    Ok(pixels)
+}
+
+fn draw(
+    arguments: &RenderArguments,
+    surface: &Surface,
+    horizon: &HorizonView<'_>,
+    light: &DirectionalLight,
+    pixels: &Pixels,
+) -> (Picture, Report) {
+    let baked = HorizonShadow::new(horizon, light);
+    let mask = pixels.map(|x, y| baked.in_shadow(x, y));
+    let mut picture = Picture::lit(surface, light, pixels, &mask, &Palette::SAND);
+    let shadow_share = mask.iter().filter(|&&dark| dark).count() as f64 / mask.len() as f64;
+    let comparison = arguments.compare.then(|| {
+        let traced = TracedShadow::new(surface, light, horizon.radius());
+        let truth = pixels.map(|x, y| traced.in_shadow(x, y));
+        let traced = Picture::lit(surface, light, pixels, &truth, &Palette::SAND);
+        let difference = difference(pixels, &mask, &truth);
+        picture = Picture::side_by_side(&[picture.clone(), traced, difference], GAP_PIXELS);
+        let wrong = MaskDisagreement::between(&truth, &mask);
+        Comparison {
+            wrong_share: wrong.rate(),
+            false_shadow_pixels: wrong.false_shadow,
+            missed_shadow_pixels: wrong.missed_shadow,
+        }
+    });
+    let report = Report {
+        schema: "barchan.render/1",
+        file: arguments.file.display().to_string(),
+        output: arguments.output.display().to_string(),
+        azimuth_degrees: arguments.azimuth,
+        elevation_degrees: arguments.elevation,
+        width: picture.width,
+        height: picture.height,
+        shadow_share,
+        comparison,
+    };
+    (picture, report)
+}
+
+/// Red where the horizon map is too dark, blue where it is too light, white where it agrees with a lit truth and grey
+/// where it agrees with a dark one.
+fn difference(pixels: &Pixels, mask: &[bool], truth: &[bool]) -> Picture {
+    const AGREED_SHADOW: [u8; 3] = [205; 3];
+    let colours = mask.iter().zip(truth).map(|(mask, truth)| match (mask, truth) {
+        (true, false) => signed_colour(1.0),
+        (false, true) => signed_colour(-1.0),
+        (true, true) => AGREED_SHADOW,
+        (false, false) => signed_colour(0.0),
+    });
+    Picture { width: pixels.width, height: pixels.height, rgb: colours.flatten().collect() }
+}
+
+fn png(picture: &Picture) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Cursor::new(Vec::new());
+    PngEncoder::new(&mut bytes)
+        .write_image(&picture.rgb, picture.width, picture.height, ExtendedColorType::Rgb8)
+        .map_err(|error| Failure::Io(format!("the picture cannot be encoded: {error}")))?;
+    Ok(bytes.into_inner())
+}
+
+fn describe(report: &Report) -> String {
+    let Report { output, azimuth_degrees, elevation_degrees, width, height, shadow_share, .. } = report;
+    let mut text = format!(
+        "drew      {output}, {width} × {height} pixels\n\
+         sun       azimuth {azimuth_degrees}°, elevation {elevation_degrees}°, {:.1} % in shadow\n",
+        100.0 * shadow_share
+    );
+    if let Some(comparison) = &report.comparison {
+        text += &format!(
+            "compared  left: horizon map, middle: ray-traced, right: difference\n\
+             wrong     {:.3} % of pixels: {} too dark (red), {} too light (blue)\n",
+            100.0 * comparison.wrong_share,
+            comparison.false_shadow_pixels,
+            comparison.missed_shadow_pixels
+        );
+    }
+    text
+}

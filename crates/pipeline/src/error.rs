@@ -1,0 +1,67 @@
+use std::path::PathBuf;
+
+use barchan_asset::{EncodeError, WriteError};
+use barchan_bakers::BakeError;
+use barchan_field::FieldError;
+use barchan_import::ImportError;
+use thiserror::Error;
+
+use crate::RecipeError;
+
+/// Why there is no asset.
+#[derive(Debug, Error)]
+pub enum PipelineError {
+    /// The recipe's text.
+    #[error("{}: {error}", path.display())]
+    Recipe {
+        /// The recipe.
+        path: PathBuf,
+        /// What is wrong with it.
+        error: RecipeError,
+    },
+    /// The height map.
+    #[error(transparent)]
+    Import(#[from] ImportError),
+    /// The shape's parameters.
+    #[error("source: {0}")]
+    Shape(#[from] FieldError),
+    /// A generated field that would not fit.
+    #[error("source: {width} × {height} texels are {texels}; at most {limit} are accepted")]
+    ShapeTooLarge {
+        /// Texels along u.
+        width: u32,
+        /// Texels along v.
+        height: u32,
+        /// Their product.
+        texels: u64,
+        /// The bound.
+        limit: u64,
+    },
+    /// A baker refused.
+    #[error("{subject}: {error}")]
+    Bake {
+        /// The source or table it is about.
+        subject: String,
+        /// The baker's reason.
+        error: BakeError,
+    },
+    /// Values that the encoding cannot hold.
+    #[error("{table}: {error}")]
+    Encode {
+        /// The table.
+        table: &'static str,
+        /// The encoder's reason.
+        error: EncodeError,
+    },
+    /// A file that the format cannot hold.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+}
+
+impl PipelineError {
+    /// Whether the disk failed and not its content.
+    #[must_use]
+    pub fn is_io(&self) -> bool {
+        matches!(self, Self::Import(error) if error.is_io())
+    }
+}

@@ -1,0 +1,279 @@
+//! What a person writes: a RON file that says where the relief comes from, what the scene does with it, and how to
+//! store the tables. `samples/dunes.ron` shows every field.
+
+use std::path::PathBuf;
+
+use barchan_asset::Encoding;
+use barchan_field::{Edge, FieldError, LengthUnit, Shape, Spacing};
+use barchan_import::Fill;
+use ron::extensions::Extensions;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::spacing::SpacingText;
+
+/// A recipe, with every default filled in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recipe {
+    /// Where the heights come from.
+    pub source: Source,
+    /// Length per texel.
+    pub spacing: Spacing,
+    /// The unit of heights, spacing and radius.
+    pub unit: LengthUnit,
+    /// What lies beyond the edge.
+    pub edge: Edge,
+    /// What the scene does with the tables; `None` when nobody said, so that nothing may be left out.
+    pub scene: Option<Scene>,
+    /// The height table.
+    pub height: HeightRecipe,
+    /// The horizon table.
+    pub horizon: HorizonRecipe,
+    /// The distance table.
+    pub distance: DistanceRecipe,
+    /// How sections are packed.
+    pub compression: Compression,
+}
+
+/// Where the heights come from.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub enum Source {
+    /// A height map on disk.
+    HeightMap(HeightMapSource),
+    /// A closed form.
+    Shape(ShapeSource),
+}
+
+/// A height map on disk and how its samples become heights.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HeightMapSource {
+    /// The file; relative paths start at the recipe's folder.
+    pub path: PathBuf,
+    /// Height of a sample of 1; integer samples are normalised, so it is the height of white.
+    #[serde(default = "one")]
+    pub height_scale: f64,
+    /// Height of a sample of 0.
+    #[serde(default)]
+    pub height_offset: f64,
+    /// The channel that holds the height, if the file leaves a choice.
+    #[serde(default)]
+    pub channel: Option<String>,
+    /// The raw sample that stands for no data.
+    #[serde(default)]
+    pub no_data: Option<f64>,
+    /// What stands in for texels without a height.
+    #[serde(default)]
+    pub fill: Option<Fill>,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl HeightMapSource {
+    /// A file, its samples taken with a height scale and nothing else said.
+    #[must_use]
+    pub fn new(path: PathBuf, height_scale: f64) -> Self {
+        Self { path, height_scale, height_offset: 0.0, channel: None, no_data: None, fill: None }
+    }
+}
+
+/// A closed form, sampled.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ShapeSource {
+    /// The form and its parameters.
+    pub shape: Shape,
+    /// Texels along u.
+    pub width: u32,
+    /// Texels along v.
+    pub height: u32,
+}
+
+/// What a scene does with the tables. What it does not need is left out.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Scene {
+    /// The relief lies on curved surfaces, whose horizons are corrected with the distance.
+    pub curved_surfaces: bool,
+    /// Penumbrae are sized by the distance.
+    pub soft_shadows: bool,
+}
+
+/// The height table.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct HeightRecipe {
+    /// How it is stored.
+    pub encoding: TableEncoding,
+}
+
+/// The horizon table.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct HorizonRecipe {
+    /// Azimuths, evenly spaced from +u, counter-clockwise.
+    pub directions: u32,
+    /// How far to look, in the length unit; `None` takes what the edge policy suggests.
+    pub radius: Option<f64>,
+    /// How it is stored.
+    pub encoding: TableEncoding,
+}
+
+impl HorizonRecipe {
+    /// Azimuths where none are asked for: every 11.25°.
+    pub const DEFAULT_DIRECTIONS: u32 = 32;
+}
+
+impl Default for HorizonRecipe {
+    fn default() -> Self {
+        Self { directions: Self::DEFAULT_DIRECTIONS, radius: None, encoding: TableEncoding::default() }
+    }
+}
+
+/// The distance table. It has the horizon's azimuths and radius.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct DistanceRecipe {
+    /// How it is stored.
+    pub encoding: TableEncoding,
+}
+
+/// `f32`, `f16` or `u8`, as recipes and flags spell it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TableEncoding {
+    /// As baked; not filterable on every GPU.
+    F32,
+    /// Half floats over the table's range.
+    #[default]
+    F16,
+    /// Bytes over the table's range.
+    U8,
+}
+
+impl From<TableEncoding> for Encoding {
+    fn from(encoding: TableEncoding) -> Self {
+        match encoding {
+            TableEncoding::F32 => Self::F32,
+            TableEncoding::F16 => Self::F16,
+            TableEncoding::U8 => Self::U8,
+        }
+    }
+}
+
+/// How sections are packed in the file.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Compression {
+    /// Ready to upload from a mapped file.
+    #[default]
+    None,
+    /// Smaller on disk; decoded when read.
+    Zstd,
+}
+
+/// The recipe as written, before anything is checked.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename = "Recipe")]
+struct RecipeText {
+    source: Source,
+    #[serde(default)]
+    spacing: SpacingText,
+    #[serde(default)]
+    unit: LengthUnit,
+    #[serde(default = "clamp")]
+    edge: Edge,
+    #[serde(default)]
+    scene: Option<Scene>,
+    #[serde(default)]
+    height: HeightRecipe,
+    #[serde(default)]
+    horizon: HorizonRecipe,
+    #[serde(default)]
+    distance: DistanceRecipe,
+    #[serde(default)]
+    compression: Compression,
+}
+
+fn clamp() -> Edge {
+    Edge::Clamp
+}
+
+/// Why a text is not a recipe. The caller knows the file's name and puts it in front.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum RecipeError {
+    /// Not RON, or not these fields.
+    #[error("line {line}, column {column}: {reason}")]
+    Syntax {
+        /// Counted from 1.
+        line: usize,
+        /// Counted from 1.
+        column: usize,
+        /// What was found and what would be accepted.
+        reason: String,
+    },
+    /// A value that no field has.
+    #[error(transparent)]
+    Field(#[from] FieldError),
+}
+
+impl Recipe {
+    /// A recipe for a bare source: every default, and nothing left out.
+    #[must_use]
+    pub fn bare(source: Source) -> Self {
+        Self {
+            source,
+            spacing: Spacing::UNIT,
+            unit: LengthUnit::default(),
+            edge: Edge::Clamp,
+            scene: None,
+            height: HeightRecipe::default(),
+            horizon: HorizonRecipe::default(),
+            distance: DistanceRecipe::default(),
+            compression: Compression::default(),
+        }
+    }
+
+    /// Parses a recipe.
+    pub fn parse(text: &str) -> Result<Self, RecipeError> {
+        let options = ron::Options::default()
+            .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES | Extensions::IMPLICIT_SOME);
+        let text: RecipeText = options.from_str(text).map_err(|error| syntax_error(&error))?;
+        let (spacing_u, spacing_v) = text.spacing.lengths();
+        Ok(Self {
+            source: text.source,
+            spacing: Spacing::new(spacing_u, spacing_v)?,
+            unit: text.unit,
+            edge: text.edge,
+            scene: text.scene,
+            height: text.height,
+            horizon: text.horizon,
+            distance: text.distance,
+            compression: text.compression,
+        })
+    }
+}
+
+fn syntax_error(error: &ron::error::SpannedError) -> RecipeError {
+    use ron::Error::{NoSuchEnumVariant, NoSuchStructField};
+    let reason = match &error.code {
+        NoSuchStructField { expected, found, .. } => unknown("field", found, expected),
+        NoSuchEnumVariant { expected, found, .. } => unknown("value", found, expected),
+        other => other.to_string(),
+    };
+    RecipeError::Syntax { line: error.span.start.line, column: error.span.start.col, reason }
+}
+
+/// Names the nearest known word, if one is near, and all that would be accepted.
+fn unknown(what: &str, found: &str, expected: &[&str]) -> String {
+    let nearest = expected
+        .iter()
+        .map(|word| (strsim::damerau_levenshtein(found, word), word))
+        .filter(|(distance, word)| *distance <= 1 + word.len().max(found.len()) / 3)
+        .min_by_key(|(distance, _)| *distance);
+    let hint = nearest.map(|(_, word)| format!("; did you mean `{word}`?")).unwrap_or_default();
+    let list = expected.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
+    format!("unknown {what} `{found}`{hint} (accepted: {list})")
+}

@@ -1,0 +1,74 @@
+//! The field a recipe names, read or generated.
+
+use std::path::{Path, PathBuf};
+
+use barchan_field::{FieldError, Grid, HeightField};
+use barchan_import::{HeightMapOptions, ImportError, decode_height_map, read_file};
+
+use crate::provenance::InputProvenance;
+use crate::{HeightMapSource, PipelineError, Recipe, ShapeSource, Source};
+
+/// The most texels a generated field may have.
+const MAX_SHAPE_TEXELS: u64 = 1 << 28;
+
+/// A field and what is to be said of it.
+pub(crate) struct Loaded {
+    pub(crate) field: HeightField,
+    pub(crate) words: String,
+    pub(crate) filled_texels: u64,
+    pub(crate) input: InputProvenance,
+}
+
+/// Reads or generates the field. Relative paths start at `folder`.
+pub(crate) fn load(recipe: &Recipe, folder: &Path) -> Result<Loaded, PipelineError> {
+    match &recipe.source {
+        Source::Shape(source) => generate(recipe, source),
+        Source::HeightMap(source) => read(recipe, source, folder.join(&source.path)),
+    }
+}
+
+fn generate(recipe: &Recipe, source: &ShapeSource) -> Result<Loaded, PipelineError> {
+    let &ShapeSource { shape, width, height } = source;
+    let texels = u64::from(width) * u64::from(height);
+    if texels > MAX_SHAPE_TEXELS {
+        return Err(PipelineError::ShapeTooLarge { width, height, texels, limit: MAX_SHAPE_TEXELS });
+    }
+    let grid = Grid { width, height, spacing: recipe.spacing, unit: recipe.unit, edge: recipe.edge };
+    Ok(Loaded {
+        field: shape.rasterize(grid).map_err(|error: FieldError| PipelineError::Shape(error))?,
+        words: format!("generated {}", shape.name()),
+        filled_texels: 0,
+        input: InputProvenance::Shape { shape },
+    })
+}
+
+fn read(recipe: &Recipe, source: &HeightMapSource, path: PathBuf) -> Result<Loaded, PipelineError> {
+    let options = HeightMapOptions {
+        height_scale: source.height_scale,
+        height_offset: source.height_offset,
+        spacing: recipe.spacing,
+        unit: recipe.unit,
+        edge: recipe.edge,
+        channel: source.channel.clone(),
+        no_data: source.no_data,
+        fill: source.fill,
+        ..HeightMapOptions::default()
+    };
+    let bytes = read_file(&path)?;
+    let blake3 = blake3::hash(&bytes).to_hex().to_string();
+    let words = path.display().to_string();
+    let map = decode_height_map(&bytes, &options).map_err(|cause| ImportError::Content { path, cause })?;
+    let format = format!("{} {}", map.source.format, map.source.sample_type);
+    Ok(Loaded {
+        field: map.field,
+        words: format!("{words} ({format})"),
+        filled_texels: map.source.filled,
+        input: InputProvenance::HeightMap {
+            blake3,
+            format,
+            height_scale: source.height_scale,
+            height_offset: source.height_offset,
+            filled_texels: map.source.filled,
+        },
+    })
+}
