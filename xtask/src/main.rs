@@ -1,1 +1,44 @@
-fn main() {}
+//! What would otherwise be a shell script: `cargo xtask --help`.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a tool for the terminal")]
+
+mod agreement;
+mod run;
+mod samples;
+mod test;
+mod tidy;
+
+use clap::{Parser, Subcommand};
+
+#[derive(Parser)]
+#[command(about = "Barchan's chores")]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Everything that must hold before a commit: formatting, lints, tidiness, tests, docs
+    Test,
+    /// What the compiler cannot check: the crates' arrows, links in the docs, lints switched on
+    Tidy,
+    /// Bake every sample and draw the pictures of the README into samples/gallery
+    Samples,
+    /// Write the golden pictures and texts anew, where the reference agrees
+    Goldens,
+    /// Write the published vectors that are missing; one that exists is never changed
+    Vectors,
+    /// Print the README's table: the horizon sweep against the exact horizon
+    Agreement,
+}
+
+fn main() -> anyhow::Result<()> {
+    match Arguments::parse().task {
+        Task::Test => test::test(),
+        Task::Tidy => tidy::tidy(),
+        Task::Samples => samples::samples(),
+        Task::Goldens => test::goldens(),
+        Task::Vectors => run::cargo("run -p barchan-asset --features write --example write_vectors"),
+        Task::Agreement => agreement::agreement(),
+    }
+}

@@ -57,9 +57,9 @@ pub struct Palette {
 impl Palette {
     /// Dry sand under a warm sun and a blue sky.
     pub const SAND: Self = Self {
-        albedo: DVec3::new(0.86, 0.72, 0.54),
-        sun: DVec3::new(1.5, 1.35, 1.1),
-        sky: DVec3::new(0.16, 0.21, 0.33),
+        albedo: DVec3::new(0.80, 0.62, 0.42),
+        sun: DVec3::new(0.78, 0.70, 0.58),
+        sky: DVec3::new(0.07, 0.11, 0.20),
     };
 }
 
@@ -129,7 +129,7 @@ impl Picture {
 /// Linear light to sRGB bytes, with a shoulder instead of a hard clip.
 fn to_srgb(linear: DVec3) -> [u8; 3] {
     linear.to_array().map(|light| {
-        let exposed = 1.0 - libm::exp(-1.1 * light);
+        let exposed = 1.0 - libm::exp(-1.2 * light);
         let encoded =
             if exposed <= 0.003_130_8 { 12.92 * exposed } else { 1.055 * libm::pow(exposed, 1.0 / 2.4) - 0.055 };
         (255.0 * encoded).round().clamp(0.0, 255.0) as u8

@@ -1,0 +1,10 @@
+//! `cargo xtask agreement`: the table of errors that the README quotes.
+
+use anyhow::Result;
+
+use crate::run::cargo;
+
+/// Every closed form, and the real terrain with the scale its recipe gives it.
+pub(crate) fn agreement() -> Result<()> {
+    cargo("run --release -p barchan-bakers --example agreement -- samples/jacksboro.png 65535 0")
+}

@@ -1,0 +1,70 @@
+//! `cargo xtask samples`: every recipe baked, every picture of the README drawn.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+
+use crate::run::{cargo, root, run};
+
+/// A picture of the gallery: its name, its recipe, and how it is drawn.
+struct Picture {
+    name: &'static str,
+    recipe: &'static str,
+    options: &'static str,
+}
+
+const GALLERY: [Picture; 7] = [
+    Picture { name: "dunes", recipe: "dunes", options: "--azimuth 150 --elevation 14" },
+    Picture { name: "dunes_dusk", recipe: "dunes", options: "--azimuth 150 --elevation 6" },
+    Picture { name: "jacksboro", recipe: "jacksboro", options: "--azimuth 135 --elevation 10" },
+    Picture { name: "jacksboro_compared", recipe: "jacksboro", options: "--azimuth 135 --elevation 10 --compare" },
+    Picture { name: "reptile_skin", recipe: "reptile_skin", options: "--azimuth 135 --elevation 25" },
+    Picture { name: "cylinder_bumps", recipe: "cylinder_bumps", options: "--azimuth 30 --elevation 20 --scale 2" },
+    Picture { name: "fractal_terrain", recipe: "fractal_terrain", options: "--azimuth 120 --elevation 25" },
+];
+
+/// Draws `samples/gallery/*.png`; baked files go under `target/samples`.
+pub(crate) fn samples() -> Result<()> {
+    cargo("build --release")?;
+    let program = program()?;
+    let baked = root().join("target/samples");
+    let gallery = root().join("samples/gallery");
+    fs::create_dir_all(&baked)?;
+    fs::create_dir_all(&gallery)?;
+    for recipe in recipes()? {
+        let output = baked.join(recipe.with_extension("barchan").file_name().context("a recipe has a name")?);
+        barchan(&program, &[&"bake", &recipe, &"-o", &output], "")?;
+        barchan(&program, &[&"validate", &output], "")?;
+    }
+    for picture in &GALLERY {
+        let asset = baked.join(picture.recipe).with_extension("barchan");
+        let output = gallery.join(picture.name).with_extension("png");
+        barchan(&program, &[&"render", &asset, &"-o", &output], picture.options)?;
+    }
+    println!("{} pictures in {}", GALLERY.len(), gallery.display());
+    Ok(())
+}
+
+/// The program that cargo just built, wherever this machine keeps built things.
+fn program() -> Result<PathBuf> {
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
+    let program = target.join("release").join(format!("barchan{}", std::env::consts::EXE_SUFFIX));
+    ensure!(program.exists(), "{} was not built", program.display());
+    Ok(program)
+}
+
+fn recipes() -> Result<Vec<PathBuf>> {
+    let files = fs::read_dir(root().join("samples"))?.map(|entry| Ok(entry?.path()));
+    let mut recipes = files.collect::<Result<Vec<_>>>()?;
+    recipes.retain(|path| path.extension().is_some_and(|extension| extension == "ron"));
+    recipes.sort();
+    Ok(recipes)
+}
+
+fn barchan(program: &Path, arguments: &[&dyn AsRef<std::ffi::OsStr>], options: &str) -> Result<()> {
+    let mut command = Command::new(program);
+    command.args(arguments.iter().map(|argument| argument.as_ref())).args(options.split_whitespace());
+    run(&mut command, "barchan")
+}

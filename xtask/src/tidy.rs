@@ -1,0 +1,123 @@
+//! `cargo xtask tidy`: what the compiler cannot check.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value;
+
+use crate::run::{cargo_program, root};
+
+/// The crates and the crates of ours each may use; ARCHITECTURE.md says why. Tests and benches may use more.
+const ARROWS: [(&str, &[&str]); 9] = [
+    ("asset", &[]),
+    ("bakers", &["asset", "field"]),
+    ("cli", &["asset", "field", "import", "metrics", "pipeline", "shade"]),
+    ("field", &[]),
+    ("import", &["field"]),
+    ("metrics", &[]),
+    ("pipeline", &["asset", "bakers", "field", "import", "metrics"]),
+    ("shade", &["asset"]),
+    ("xtask", &[]),
+];
+
+/// Documents whose relative links must lead somewhere.
+const DOCUMENTS: [&str; 9] = [
+    "README.md",
+    "ARCHITECTURE.md",
+    "CONTRIBUTING.md",
+    "CHANGELOG.md",
+    "formats/barchan-v1.md",
+    "formats/height-v1.md",
+    "formats/horizon-v1.md",
+    "samples/README.md",
+    "tests/README.md",
+];
+
+pub(crate) fn tidy() -> Result<()> {
+    eprintln!("\n> tidy");
+    let problems: Vec<String> = [arrows()?, lints()?, links()?].concat();
+    if !problems.is_empty() {
+        bail!("not tidy:\n  {}", problems.join("\n  "));
+    }
+    Ok(())
+}
+
+/// Arrows that the map does not have, crates it does not know, and crates that are gone.
+fn arrows() -> Result<Vec<String>> {
+    let allowed: BTreeMap<_, _> = ARROWS.into_iter().collect();
+    let found = crates()?;
+    let mut problems = Vec::new();
+    for (name, uses) in &found {
+        match allowed.get(name.as_str()) {
+            None => problems.push(format!("crate `{name}` is not on the map in xtask/src/tidy.rs")),
+            Some(may_use) => {
+                let forbidden = uses.iter().filter(|used| !may_use.contains(&used.as_str()));
+                problems.extend(forbidden.map(|used| format!("`{name}` must not use `{used}`")));
+            }
+        }
+    }
+    let gone = allowed.keys().filter(|name| !found.contains_key(**name));
+    problems.extend(gone.map(|name| format!("crate `{name}` is on the map but not in the workspace")));
+    Ok(problems)
+}
+
+/// Our crates, and for each the crates of ours it depends on outside tests.
+fn crates() -> Result<BTreeMap<String, Vec<String>>> {
+    let mut command = Command::new(cargo_program());
+    command.current_dir(root()).args(["metadata", "--no-deps", "--format-version", "1"]);
+    let output = command.output().context("`cargo metadata` cannot be started")?;
+    ensure!(output.status.success(), "`cargo metadata` failed: {}", String::from_utf8_lossy(&output.stderr));
+    let metadata: Value = serde_json::from_slice(&output.stdout)?;
+    let packages = metadata["packages"].as_array().context("cargo metadata lists packages")?;
+    Ok(packages.iter().map(|package| (ours(&package["name"]), uses(package))).collect())
+}
+
+fn uses(package: &Value) -> Vec<String> {
+    let dependencies = package["dependencies"].as_array().into_iter().flatten();
+    let built_in = dependencies.filter(|dependency| dependency["kind"].as_str() != Some("dev"));
+    let named = built_in.filter(|dependency| dependency["name"].as_str().is_some_and(|n| n.starts_with("barchan-")));
+    named.map(|dependency| ours(&dependency["name"])).collect()
+}
+
+fn ours(name: &Value) -> String {
+    name.as_str().unwrap_or_default().trim_start_matches("barchan-").to_owned()
+}
+
+/// Every package must switch the workspace's lints on: they forbid `unsafe`.
+fn lints() -> Result<Vec<String>> {
+    let mut manifests = vec![root().join("xtask/Cargo.toml")];
+    for entry in fs::read_dir(root().join("crates"))? {
+        manifests.push(entry?.path().join("Cargo.toml"));
+    }
+    let mut problems = Vec::new();
+    for manifest in manifests {
+        if !fs::read_to_string(&manifest)?.contains("[lints]\nworkspace = true") {
+            problems.push(format!("{} does not switch on the workspace's lints", manifest.display()));
+        }
+    }
+    Ok(problems)
+}
+
+fn links() -> Result<Vec<String>> {
+    let mut problems = Vec::new();
+    for document in DOCUMENTS {
+        let path = root().join(document);
+        let text = fs::read_to_string(&path).with_context(|| format!("{document} is missing"))?;
+        let folder = path.parent().unwrap_or(Path::new("."));
+        for target in link_targets(&text) {
+            let file = target.split('#').next().unwrap_or_default();
+            if !target.contains("://") && !file.is_empty() && !folder.join(file).exists() {
+                problems.push(format!("{document} links to {target}, which does not exist"));
+            }
+        }
+    }
+    Ok(problems)
+}
+
+/// The `target` of every `](target)`.
+fn link_targets(markdown: &str) -> impl Iterator<Item = &str> {
+    markdown.split("](").skip(1).filter_map(|rest| rest.split(')').next())
+}
