@@ -33,6 +33,14 @@ pub enum BakeError {
         /// The bound.
         limit: u64,
     },
+    /// The system refused the memory.
+    #[error("{what} needs {bytes} bytes, which the system refuses; fewer texels or directions would be accepted")]
+    Memory {
+        /// The table.
+        what: &'static str,
+        /// What it would take.
+        bytes: u64,
+    },
     /// The threads could not be started.
     #[error("{threads} worker threads could not be started: {reason}")]
     Threads {

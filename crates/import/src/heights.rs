@@ -1,7 +1,7 @@
 //! Raw samples to heights: no data, scale, offset.
 
 use crate::{
-    DecodeError, HeightMapOptions,
+    DecodeError, HeightMapOptions, Integers,
     limits::reserved,
     samples::{RawMap, Sample, with_samples},
 };
@@ -16,14 +16,17 @@ pub(crate) struct Heights {
     pub(crate) raw_range: (f64, f64),
 }
 
-/// `sample / full scale × height_scale + height_offset` for every sample that is a number and not no-data.
+/// `sample / full scale × height_scale + height_offset`, or without the division, for every sample that is a number and not no-data.
 pub(crate) fn heights(raw: &RawMap, options: &HeightMapOptions) -> Result<Heights, DecodeError> {
     with_samples!(&raw.samples, v => scale(v, raw, options))
 }
 
 fn scale<T: Sample>(samples: &[T], raw: &RawMap, options: &HeightMapOptions) -> Result<Heights, DecodeError> {
     let no_data = no_data_values::<T>([options.no_data, raw.no_data]);
-    let full_scale = raw.sample_type.full_scale();
+    let full_scale = match options.integers {
+        Integers::Normalised => raw.sample_type.full_scale(),
+        Integers::Raw => 1.0,
+    };
     let HeightMapOptions { height_scale, height_offset, .. } = *options;
     let mut result = Heights {
         heights: reserved(samples.len())?,

@@ -26,7 +26,7 @@
 //!
 //! - `height = sample × height_scale + height_offset`, in f64, rounded once to f32. Float samples are taken as they are.
 //!   **Integer samples are divided by the largest value of their type first**: 0 stays 0 and full scale becomes 1, for
-//!   signed types too. So a map in whole metres needs the full scale as `height_scale`: 65535 for u16, 32767 for i16.
+//!   signed types too. [`Integers::Raw`] takes them as they are, for elevation models in whole metres.
 //! - A **texel without a height** is one whose sample is NaN, infinite, or a no-data value: the caller's
 //!   [`no_data`](HeightMapOptions::no_data) or the file's own GDAL_NODATA tag, both compared with the raw sample, exactly
 //!   and (for float samples) after rounding to the sample's type. Without a [`Fill`] such a texel is an error.
@@ -57,4 +57,4 @@ mod tiff;
 pub use detect::Format;
 pub use error::{DecodeError, ImportError};
 pub use height_map::{HeightMap, SourceInfo, decode_height_map, read_file, read_height_map};
-pub use options::{Fill, HeightMapOptions};
+pub use options::{Fill, HeightMapOptions, Integers};

@@ -8,7 +8,9 @@ use crate::DecodeError;
 /// What turns the samples of a file into a height field.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightMapOptions {
-    /// Height of a sample of 1, which is the full scale of integer samples.
+    /// What a whole number in the file means.
+    pub integers: Integers,
+    /// Height of a sample of 1.
     pub height_scale: f64,
     /// Height of a sample of 0.
     pub height_offset: f64,
@@ -32,6 +34,7 @@ impl Default for HeightMapOptions {
     /// Samples are heights, in the scene's unit, one texel per unit, clamped at the edge; nothing is filled; 2³⁰ texels.
     fn default() -> Self {
         Self {
+            integers: Integers::default(),
             height_scale: 1.0,
             height_offset: 0.0,
             spacing: Spacing::UNIT,
@@ -43,6 +46,17 @@ impl Default for HeightMapOptions {
             max_texels: 1 << 30,
         }
     }
+}
+
+/// What a whole number in a file means. Float samples are always taken as they are.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Integers {
+    /// A share of the largest value of its type, as in displacement maps: full scale is 1.
+    #[default]
+    Normalised,
+    /// Itself, as in elevation models in whole metres.
+    Raw,
 }
 
 /// The height of texels that have none. In a recipe: `value(0.0)`, `lowest` or `nearest`.

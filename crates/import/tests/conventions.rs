@@ -5,7 +5,7 @@ mod common;
 use std::path::Path;
 
 use barchan_field::{Edge, LengthUnit, Spacing};
-use barchan_import::{Fill, HeightMapOptions, decode_height_map, read_height_map};
+use barchan_import::{Fill, HeightMapOptions, Integers, decode_height_map, read_height_map};
 use common::{file, npy, npy_f32, npy_with, options};
 
 fn message(bytes: &[u8], options: &HeightMapOptions) -> String {
@@ -28,11 +28,13 @@ fn a_height_is_rounded_once() {
 }
 
 #[test]
-fn whole_metres_survive_their_full_scale() {
+fn whole_metres_are_heights_when_integers_are_raw() {
     let bytes: Vec<u8> = (i16::MIN..=i16::MAX).flat_map(i16::to_le_bytes).collect();
-    let options = HeightMapOptions { height_scale: 32767.0, ..options() };
+    let file = npy("<i2", false, 256, 256, &bytes);
     let expected: Vec<f32> = (i16::MIN..=i16::MAX).map(f32::from).collect();
-    assert_eq!(heights(&npy("<i2", false, 256, 256, &bytes), &options), expected);
+    assert_eq!(heights(&file, &HeightMapOptions { integers: Integers::Raw, ..options() }), expected);
+    // Dividing by the full scale and multiplying by it again loses nothing either.
+    assert_eq!(heights(&file, &HeightMapOptions { height_scale: 32767.0, ..options() }), expected);
 }
 
 #[test]

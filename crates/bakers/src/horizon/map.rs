@@ -56,8 +56,8 @@ impl HorizonMap {
         params.check(field)?;
         let texels = field.grid().texels();
         let values = bounded_values(texels, params)?;
-        let mut elevation_radians = vec![0.0; values];
-        let mut distance = params.distance.then(|| vec![0.0; values]);
+        let mut elevation_radians = zeros(values)?;
+        let mut distance = params.distance.then(|| zeros(values)).transpose()?;
         let layers = split_layers(&mut elevation_radians, distance.as_deref_mut(), texels, params.radius);
         exec.for_each(layers, |direction, layer| bake_layer(direction as u32, layer));
         Ok(Self { grid: *field.grid(), params: *params, elevation_radians, distance })
@@ -78,6 +78,15 @@ fn bounded_values(texels: usize, params: &HorizonParams) -> Result<usize, BakeEr
         return Err(BakeError::TooLarge { what: "the horizon map", bytes, limit: MAX_MAP_BYTES });
     }
     Ok(values as usize)
+}
+
+/// Memory that the system refuses is an error of the bake, not the end of the program.
+fn zeros(values: usize) -> Result<Vec<f32>, BakeError> {
+    let mut zeros = Vec::new();
+    let bytes = 4 * values as u64;
+    zeros.try_reserve_exact(values).map_err(|_| BakeError::Memory { what: "the horizon map", bytes })?;
+    zeros.resize(values, 0.0);
+    Ok(zeros)
 }
 
 /// One direction's share of the output.
