@@ -13,9 +13,10 @@ fn shape(name: &str) -> Shape {
     Shape::examples().into_iter().find(|shape| shape.name() == name).expect("an example of every shape")
 }
 
+/// The examples are meant for tiles of 256 length units, at any resolution.
 fn field(shape: Shape, size: u32) -> HeightField {
-    let grid =
-        Grid { width: size, height: size, spacing: Spacing::UNIT, unit: LengthUnit::SceneUnit, edge: Edge::Wrap };
+    let spacing = Spacing::square(256.0 / f64::from(size)).expect("a length");
+    let grid = Grid { width: size, height: size, spacing, unit: LengthUnit::SceneUnit, edge: Edge::Wrap };
     shape.rasterize(grid).expect("examples fit")
 }
 

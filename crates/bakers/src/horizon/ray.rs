@@ -5,7 +5,7 @@ use super::direction::Octant;
 use super::relief::Relief;
 
 /// Columns ahead of a texel in which every point of its own ray is looked at.
-pub(crate) const NEAR_COLUMNS: usize = 3;
+pub(crate) const NEAR_COLUMNS: usize = 4;
 
 /// Columns and rows beyond the field that the near part of a ray may touch.
 pub(crate) const MARGIN: usize = NEAR_COLUMNS + 2;
@@ -29,6 +29,7 @@ impl Drift {
 /// The ray of one direction. Positions on it, and the radius, count columns from the texel.
 pub(crate) struct Ray {
     tilt: f64,
+    columns_per_row: f64,
     length_per_column: f64,
     radius: f64,
     pub(crate) drift: Drift,
@@ -53,9 +54,10 @@ impl Ray {
         let radius = radius / length_per_major;
         let mut ray = Self {
             tilt,
+            columns_per_row: 1.0 / tilt,
             length_per_column: length_per_major,
             radius,
-            drift: Drift::new(tilt, majors + radius as usize + 2),
+            drift: Drift::new(tilt, majors + radius as usize + MARGIN),
             near: Vec::new(),
         };
         ray.near = (0..NEAR_COLUMNS).flat_map(|column| ray.segments(column)).flatten().collect();
@@ -88,7 +90,7 @@ impl Ray {
     /// Where the ray crosses a row of texel centres; a ray along the axis never does.
     #[inline]
     fn row_crossing(&self, row: u32) -> f64 {
-        if self.tilt > 0.0 { f64::from(row) / self.tilt } else { f64::INFINITY }
+        if self.tilt > 0.0 { f64::from(row) * self.columns_per_row } else { f64::INFINITY }
     }
 
     /// The steepest point found on a texel's own ray, as a true slope and length; `far` names columns to look around.
@@ -98,7 +100,7 @@ impl Ray {
         relief: &Relief,
         texel: (usize, usize),
         eye: f64,
-        far: [Option<usize>; 2],
+        far: [Option<usize>; 3],
     ) -> HorizonPoint {
         let mut best = HorizonPoint::NONE;
         let (place, stride) = (relief.place(texel.0, texel.1), relief.place(0, 1));
@@ -107,11 +109,16 @@ impl Ray {
             let heights = [0, 1, stride, stride + 1].map(|offset| relief.near(corner + offset));
             segment.consider(self.tilt, heights, eye, &mut best);
         }
-        let second = if far[1] == far[0] { None } else { far[1] };
-        for column in [far[0], second].into_iter().flatten() {
-            self.consider_around(relief, texel, eye, column, &mut best);
+        for (index, column) in far.iter().enumerate() {
+            if let Some(column) = column
+                && !far[..index].contains(&Some(*column))
+            {
+                self.consider_around(relief, texel, eye, *column, &mut best);
+            }
         }
-        self.consider_radius(relief, texel, eye, &mut best);
+        if self.radius > NEAR_COLUMNS as f64 {
+            self.consider_radius(relief, texel, eye, &mut best);
+        }
         HorizonPoint { slope: best.slope / self.length_per_column, distance: best.distance * self.length_per_column }
     }
 
@@ -142,7 +149,7 @@ impl Ray {
         }
     }
 
-    /// The last point of the ray.
+    /// The last point of a ray that goes on beyond its near part. Nearer, its height less the eye's would be rounding.
     #[inline]
     fn consider_radius(&self, relief: &Relief, texel: (usize, usize), eye: f64, best: &mut HorizonPoint) {
         let column = self.radius as usize;
@@ -160,6 +167,11 @@ impl Segment {
     /// heights are those of the cell's corners: nearest, next column, next row, both.
     #[inline]
     fn consider(&self, tilt: f64, [h00, h10, h01, h11]: [f64; 4], eye: f64, best: &mut HorizonPoint) {
+        // No point of a cell is higher than its highest corner: most cells are out of the race at once.
+        let highest = h00.max(h10).max(h01.max(h11)) - eye;
+        if highest < best.slope * if highest > 0.0 { self.start } else { self.end } {
+            return;
+        }
         let (along_x, along_y) = (h10 - h00, h01 - h00);
         let twist = h11 - h10 - along_y;
         let (x, y) = self.entry;

@@ -25,14 +25,15 @@ pub fn bake(field: &HeightField, params: &HorizonParams, exec: &Exec) -> Result<
 #[must_use]
 pub fn horizon(field: &HeightField, params: &HorizonParams, direction: u32, column: u32, row: u32) -> HorizonPoint {
     let step = RayStep::new(direction, params.directions, field.grid().spacing);
-    let origin = (f64::from(column), f64::from(row));
-    let origin_height = f64::from(field.texel(i64::from(column), i64::from(row)));
+    let origin = (i64::from(column), i64::from(row));
+    let origin_height = f64::from(field.texel(origin.0, origin.1));
     let mut best = HorizonPoint::NONE;
     let mut start = 0.0;
     let mut crossings = Crossings::new(step);
     while start < params.radius {
+        let cell = crossings.cell();
         let end = crossings.next_distance().min(params.radius);
-        let parabola = CellParabola::new(field, origin, step, start, end);
+        let parabola = CellParabola::new(field, origin, cell, step, start);
         parabola.consider(origin_height, start, end, &mut best);
         start = end;
     }
@@ -49,6 +50,13 @@ struct Crossings {
 impl Crossings {
     fn new(step: RayStep) -> Self {
         Self { step, columns_crossed: 0.0, rows_crossed: 0.0 }
+    }
+
+    /// The cell the ray is in, as its least column and row from the texel's own. Counted, not found from a place on the
+    /// ray, which near a border may round into the cell beyond.
+    fn cell(&self) -> (i64, i64) {
+        let least = |crossed: f64, speed: f64| if speed < 0.0 { -1 - crossed as i64 } else { crossed as i64 };
+        (least(self.columns_crossed, self.step.columns), least(self.rows_crossed, self.step.rows))
     }
 
     fn next_distance(&mut self) -> f64 {
@@ -74,15 +82,11 @@ struct CellParabola {
 }
 
 impl CellParabola {
-    fn new(field: &HeightField, origin: (f64, f64), step: RayStep, start: f64, end: f64) -> Self {
-        let at = |s: f64| (origin.0 + s * step.columns, origin.1 + s * step.rows);
-        // The middle of the segment names the cell: it cannot fall on a cell's border.
-        let middle = at(0.5 * (start + end));
-        let cell = (middle.0.floor(), middle.1.floor());
-        let corner = |i: i64, j: i64| f64::from(field.texel(cell.0 as i64 + i, cell.1 as i64 + j));
+    fn new(field: &HeightField, origin: (i64, i64), cell: (i64, i64), step: RayStep, start: f64) -> Self {
+        let corner = |i: i64, j: i64| f64::from(field.texel(origin.0 + cell.0 + i, origin.1 + cell.1 + j));
         let (h00, h10, h01, h11) = (corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1));
         let (along_x, along_y, twist) = (h10 - h00, h01 - h00, h00 - h10 - h01 + h11);
-        let (x, y) = (at(start).0 - cell.0, at(start).1 - cell.1);
+        let (x, y) = (start * step.columns - cell.0 as f64, start * step.rows - cell.1 as f64);
         Self {
             start_height: h00 + along_x * x + along_y * y + twist * x * y,
             slope: along_x * step.columns + along_y * step.rows + twist * (x * step.rows + y * step.columns),

@@ -1,0 +1,157 @@
+//! Fields and parameters at the ends of their ranges: finite, in range, and the reference's.
+
+use barchan_asset::{MAX_ELEVATION, f32_at_most};
+use barchan_bakers::horizon::{HorizonMap, HorizonParams};
+use barchan_field::shapes::Spike;
+use barchan_field::{Edge, HeightField, Shape};
+
+use crate::support::{at, both, fill, grid, noise, params, sweep};
+
+const EDGES: [Edge; 2] = [Edge::Wrap, Edge::Clamp];
+
+/// Both maps, finite and in range.
+#[track_caller]
+fn maps_in_range(field: &HeightField, params: &HorizonParams) -> [HorizonMap; 2] {
+    let maps = both(field, params);
+    for map in &maps {
+        assert!(map.elevation_radians.iter().all(|e| e.abs() <= MAX_ELEVATION), "an elevation out of range");
+        let farthest = f32_at_most(params.radius);
+        let distances = map.distance.as_ref().unwrap();
+        assert!(distances.iter().all(|d| (0.0..=farthest).contains(d)), "a distance out of range");
+    }
+    maps
+}
+
+/// Besides, the sweep is at most `tolerance_degrees` below the reference at any texel, and never above.
+#[track_caller]
+fn check(field: &HeightField, params: &HorizonParams, tolerance_degrees: f64) {
+    let [swept, expected] = maps_in_range(field, params);
+    let mut below = 0.0_f64;
+    for (index, (&found, &expected)) in swept.elevation_radians.iter().zip(&expected.elevation_radians).enumerate() {
+        let (direction, texel) = (index / field.grid().texels(), index % field.grid().texels());
+        let error = (f64::from(found) - f64::from(expected)).to_degrees();
+        assert!(error <= 1e-4, "{error}° above the reference in direction {direction}, texel {texel}");
+        below = below.max(-error);
+    }
+    assert!(below <= tolerance_degrees, "{below}° below the reference");
+}
+
+#[test]
+fn one_row_one_column_and_two_texels() {
+    for edge in EDGES {
+        for size in [(37, 1), (1, 37), (2, 1), (1, 2), (2, 2)] {
+            for spacing in [(1.0, 1.0), (0.3, 2.0)] {
+                let field = fill(grid(size, spacing, edge), |column, row| 3.0 * noise(1, column, row));
+                for radius in [0.5, 8.0, 90.0] {
+                    check(&field, &params(11, radius), 3.0);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_radius_far_below_a_texel_sees_the_slope_at_the_texel() {
+    for edge in EDGES {
+        let field = fill(grid((13, 9), (1.0, 2.0), edge), |column, row| 3.0 * noise(2, column, row));
+        for radius in [1e-2, 1e-6, 1e-12, 1e-20] {
+            check(&field, &params(9, radius), 1e-4);
+        }
+    }
+}
+
+#[test]
+fn the_slope_at_the_texel_is_that_of_the_cell_the_ray_enters() {
+    // A roof: falling to both sides of column 4.
+    let roof = fill(grid((9, 3), (1.0, 1.0), Edge::Clamp), |column, _| -(column as f32 - 4.0).abs());
+    for radius in [1e-3, 1e-9, 1e-15, 1e-18, 1e-25] {
+        for map in both(&roof, &params(2, radius)) {
+            for direction in 0..2 {
+                let elevation = at(&map, direction, 4, 1).0;
+                assert!((elevation + std::f64::consts::FRAC_PI_4).abs() < 1e-6, "radius {radius}: {elevation}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_radius_of_many_tiles() {
+    let field = fill(grid((7, 5), (1.0, 1.0), Edge::Wrap), |column, row| 3.0 * noise(4, column, row));
+    check(&field, &params(10, 500.0), 4.0);
+    let field = fill(grid((7, 5), (1.0, 1.0), Edge::Clamp), |column, row| 3.0 * noise(4, column, row));
+    check(&field, &params(10, 500.0), 4.0);
+    let sky =
+        sweep(&fill(grid((3, 2), (1.0, 1.0), Edge::Wrap), |column, row| (column + row) as f32), &params(3, 131_072.0));
+    assert!(sky.elevation_radians.iter().all(|elevation| elevation.is_finite()));
+}
+
+#[test]
+fn heights_at_the_ends_of_f32_over_tiny_texels() {
+    for edge in EDGES {
+        for (height, spacing) in [(1e30_f32, 1e-3), (f32::MAX, 1e-30)] {
+            let field = fill(grid((12, 9), (spacing, spacing), edge), |column, row| {
+                if noise(6, column, row) < 0.5 { height } else { -height }
+            });
+            // Where slopes of 1e33 should cancel, what f64 leaves of them may be anything.
+            maps_in_range(&field, &params(7, 6.3 * spacing));
+            let wall =
+                fill(grid((12, 9), (spacing, spacing), edge), |column, _| if column == 11 { height } else { -height });
+            for map in both(&wall, &params(7, 20.0 * spacing)) {
+                assert!((0..11).all(|column| at(&map, 0, column, 4).0 == f64::from(MAX_ELEVATION)));
+            }
+        }
+        let field = fill(grid((12, 9), (1e30, 1e30), edge), |column, row| f32::MAX * noise(6, column, row));
+        check(&field, &params(7, 6.3e30), 2.0);
+    }
+}
+
+#[test]
+fn subnormal_heights() {
+    for edge in EDGES {
+        for spacing in [1.0, 1e-30] {
+            let field = fill(grid((12, 9), (spacing, spacing), edge), |column, row| {
+                f32::from_bits((noise(7, column, row) * 1000.0) as u32)
+            });
+            check(&field, &params(7, 6.3 * spacing), 1e-4);
+        }
+    }
+}
+
+#[test]
+fn small_relief_at_a_great_height() {
+    for edge in EDGES {
+        let field = fill(grid((24, 24), (1.0, 1.0), edge), |column, row| 1e7 + (4.0 * noise(8, column, row)).floor());
+        check(&field, &params(12, 24.0), 9.0);
+    }
+}
+
+#[test]
+fn one_direction_and_a_prime_number_of_them() {
+    for edge in EDGES {
+        let field = fill(grid((24, 24), (1.0, 1.0), edge), |column, row| noise(9, column, row));
+        for directions in [1, 2, 3, 5, 97, 2039] {
+            check(&field, &params(directions, 5.0), 4.0);
+        }
+    }
+}
+
+#[test]
+fn texels_a_hundred_times_as_long_as_wide() {
+    for edge in EDGES {
+        for spacing in [(100.0, 1.0), (1.0, 100.0), (1e30, 1.0), (1.0, 1e30)] {
+            let field = fill(grid((16, 12), spacing, edge), |column, row| 3.0 * noise(10, column, row));
+            let fine = spacing.0.min(spacing.1);
+            check(&field, &params(10, 300.0 * fine), 3.0);
+        }
+    }
+}
+
+#[test]
+fn a_spike_and_a_pit_a_thousand_texels_high() {
+    for edge in EDGES {
+        let tall = |height| Shape::Spike(Spike { height }).rasterize(grid((21, 21), (1.0, 1.0), edge)).unwrap();
+        for height in [-1000.0, 1000.0] {
+            check(&tall(height), &params(16, 21.0), 1e-4);
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! What the run-time equations promise, through the crate's public face and encoded tables.
+
+mod closed_forms;
+mod horizon_map;
+mod picture;
+mod support;
+mod traced;
