@@ -16,7 +16,7 @@ struct Picture {
 }
 
 const GALLERY: [Picture; 7] = [
-    Picture { name: "dunes", recipe: "dunes", options: "--azimuth 150 --elevation 14" },
+    Picture { name: "dunes", recipe: "dunes", options: "--azimuth 150 --elevation 14 --scale 2" },
     Picture { name: "dunes_dusk", recipe: "dunes", options: "--azimuth 150 --elevation 6" },
     Picture { name: "jacksboro", recipe: "jacksboro", options: "--azimuth 135 --elevation 10" },
     Picture { name: "jacksboro_compared", recipe: "jacksboro", options: "--azimuth 135 --elevation 10 --compare" },

@@ -56,8 +56,8 @@ pub(crate) struct BakeArguments {
     /// Bake these tables and no others: height, horizon, distance
     #[arg(long, value_name = "TABLE,..", value_delimiter = ',', value_parser = table)]
     pub(crate) only: Option<Vec<Table>>,
-    /// Worker threads; 0 is one per core
-    #[arg(short = 'j', long, value_name = "N", default_value_t = 0)]
+    /// Worker threads, at most 1024; 0 is one per core
+    #[arg(short = 'j', long, value_name = "N", default_value_t = 0, value_parser = jobs)]
     pub(crate) jobs: usize,
     /// How to show progress on stderr
     #[arg(long, value_name = "STYLE", default_value = "auto")]
@@ -241,6 +241,11 @@ fn fill(text: &str) -> Result<Fill, String> {
         "nearest" => Ok(Fill::Nearest),
         length => finite(length).map(Fill::Value).map_err(|_| "accepted: lowest, nearest or a length".to_owned()),
     }
+}
+
+fn jobs(text: &str) -> Result<usize, String> {
+    // Beyond that a machine spends its time on starting threads, or fails to.
+    text.parse().ok().filter(|&jobs| jobs <= 1024).ok_or_else(|| "accepted: 0 to 1024".to_owned())
 }
 
 fn finite(text: &str) -> Result<f64, String> {

@@ -26,12 +26,25 @@ impl AssetFile {
         if path.is_dir() {
             return Err(Failure::Io(format!("{}: this is a folder; a .barchan file is needed", path.display())));
         }
-        let bytes = std::fs::read(path).map_err(|error| Failure::io(path, "cannot be read", &error))?;
+        let unreadable = |error| Failure::io(path, "cannot be read", &error);
+        // A pipe or a device may have no end.
+        if !path.metadata().map_err(unreadable)?.is_file() {
+            let shown = path.display();
+            return Err(Failure::Io(format!("{shown}: this is a pipe or a device; a .barchan file is needed")));
+        }
+        let bytes = std::fs::read(path).map_err(unreadable)?;
         Ok(Self { path: path.to_owned(), bytes })
     }
 
     pub(crate) fn open(&self) -> Result<Asset<'_>, Failure> {
         Asset::open(&self.bytes).map_err(|error| self.content(error))
+    }
+
+    /// What is decoded at most: no more than any bake writes, and no more than zstd, whose densest block is 4 bytes that
+    /// stand for 128 KiB, can have packed into a file of this size.
+    pub(crate) fn limits(&self) -> Limits {
+        let packed_at_most = (self.bytes.len() as u64).saturating_mul((128 << 10) / 4);
+        Limits { max_decoded_bytes: packed_at_most.min(1 << 36), ..Limits::default() }
     }
 
     /// A complaint about this file's content.
@@ -61,7 +74,7 @@ impl AssetFile {
             return Err(fail(&"the checksum does not match; the file is damaged"));
         }
         let descriptor = section.texture().map_err(|error| fail(&error))?;
-        let payload = section.payload(&limits()).map_err(|error| fail(&error))?;
+        let payload = section.payload(&self.limits()).map_err(|error| fail(&error))?;
         // Checked here once, so that views made from it later cannot fail.
         TableView::new(descriptor, &payload).map_err(|error| fail(&error))?;
         Ok(DecodedTable { table, descriptor, payload })
@@ -78,11 +91,6 @@ impl DecodedTable<'_> {
     pub(crate) fn azimuth_degrees(&self, layer: u32) -> f64 {
         (self.descriptor.first_azimuth + f64::from(layer) * self.descriptor.azimuth_step).to_degrees()
     }
-}
-
-/// What the program decodes at most: far more than any bake writes, far less than a bomb.
-pub(crate) fn limits() -> Limits {
-    Limits { max_decoded_bytes: 1 << 36, ..Limits::default() }
 }
 
 /// `height, horizon and distance`, or `no table`.

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use barchan_pipeline::{
-    BakeReport, HeightMapSource, Plan, Recipe, RecipeError, Source, StageTime, TableEncoding, bake,
+    BakeReport, HeightMapSource, PipelineError, Plan, Recipe, RecipeError, Source, StageTime, Table, TableEncoding,
+    bake,
 };
 use serde::Serialize;
 
@@ -27,7 +28,7 @@ pub(crate) fn run(arguments: &BakeArguments, json: bool) -> Result<ExitStatus, F
     let start = Instant::now();
     let recipe = recipe(arguments)?;
     let output = output_path(arguments)?;
-    output::check_writable(&output)?;
+    output::check_writable(&output, &arguments.input)?;
     let plan = Plan::new(recipe, arguments.only.as_deref());
     let display = ProgressDisplay::new(arguments.progress);
     let folder = arguments.input.parent().unwrap_or(Path::new(""));
@@ -35,7 +36,7 @@ pub(crate) fn run(arguments: &BakeArguments, json: bool) -> Result<ExitStatus, F
     let folder = if is_recipe(&arguments.input) { folder } else { Path::new("") };
     let baked = bake(&plan, folder, arguments.jobs, &|stage, done, total| display.step(stage, done, total));
     display.finish();
-    let mut baked = baked?;
+    let mut baked = baked.map_err(|error| failure(&arguments.input, error))?;
     let write_start = Instant::now();
     output::write_whole(&output, &baked.bytes)?;
     baked.report.stages.push(StageTime { stage: "write", seconds: write_start.elapsed().as_secs_f64() });
@@ -43,6 +44,14 @@ pub(crate) fn run(arguments: &BakeArguments, json: bool) -> Result<ExitStatus, F
     let report = Report { bake: &baked.report, output: output.display().to_string(), total_seconds };
     console::present(&report, json, describe)?;
     Ok(ExitStatus::Success)
+}
+
+/// An import error names its file; any other complaint is about the recipe or the map that was typed.
+fn failure(input: &Path, error: PipelineError) -> Failure {
+    match error {
+        error if error.is_io() || matches!(error, PipelineError::Import(_)) => error.into(),
+        error => Failure::content(input, error),
+    }
 }
 
 fn is_recipe(input: &Path) -> bool {
@@ -139,7 +148,7 @@ fn describe(report: &Report<'_>) -> String {
         line("error", console::accuracy(accuracy));
     }
     line("time", time_words(bake));
-    line("next", next_words(output));
+    line("next", next_words(bake, output));
     text
 }
 
@@ -181,12 +190,23 @@ fn time_words(bake: &BakeReport) -> String {
     stages.collect::<Vec<_>>().join(", ")
 }
 
-/// Commands that can be pasted: the program is named as it was called.
-fn next_words(output: &str) -> String {
+/// Commands that can be pasted: the program is named as it was called. A picture needs the heights and the horizon.
+fn next_words(bake: &BakeReport, output: &str) -> String {
     let program = std::env::args().next().unwrap_or_else(|| "barchan".to_owned());
-    let picture = Path::new(output).with_extension("png");
-    format!(
-        "{program} inspect {output}\n          {program} render {output} --azimuth 135 --elevation 10 -o {}",
-        picture.display()
-    )
+    let program = shell_word(&program);
+    let inspect = format!("{program} inspect {}", shell_word(output));
+    let has = |table: Table| bake.tables.iter().any(|baked| baked.table == table.name());
+    if !has(Table::Height) || !has(Table::Horizon) {
+        return inspect;
+    }
+    // Never the name of a height map that may lie beside the file.
+    let picture = Path::new(output).with_extension("lit.png");
+    let (output, picture) = (shell_word(output), shell_word(&picture.display().to_string()));
+    format!("{inspect}\n          {program} render {output} --azimuth 135 --elevation 10 -o {picture}")
+}
+
+/// A word as a shell takes it.
+fn shell_word(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/\\._-+:,=@%".contains(c);
+    if word.chars().all(is_plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', r"'\''")) }
 }

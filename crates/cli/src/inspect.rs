@@ -5,7 +5,7 @@ use barchan_pipeline::Provenance;
 use serde::Serialize;
 
 use crate::args::FileArguments;
-use crate::asset_file::{AssetFile, limits};
+use crate::asset_file::AssetFile;
 use crate::console::{self, bytes, number, value_in};
 use crate::failure::{ExitStatus, Failure};
 
@@ -77,7 +77,7 @@ fn report(file: &AssetFile, asset: &Asset<'_>) -> Result<Report, Failure> {
         file_bytes: asset.file_size(),
         identity: asset.identity().iter().map(|byte| format!("{byte:02x}")).collect(),
         sections,
-        provenance: provenance(asset, &limits()),
+        provenance: provenance(asset, &file.limits()),
     })
 }
 

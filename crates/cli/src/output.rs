@@ -13,16 +13,23 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let cannot = |error: &std::io::Error| Failure::io(path, "cannot be written", error);
     let folder = folder_of(path);
     check(path, &folder)?;
-    let mut file = temporary(&folder).map_err(|error| cannot(&error))?;
-    file.write_all(bytes).map_err(|error| cannot(&error))?;
+    // The kind alone, and below the bare file: the errors' own words would name the temporary file.
+    let mut file = temporary(&folder).map_err(|error| cannot(&error.kind().into()))?;
+    file.as_file_mut().write_all(bytes).map_err(|error| cannot(&error))?;
     file.as_file().sync_all().map_err(|error| cannot(&error))?;
     file.persist(path).map_err(|error| cannot(&error.error))?;
     Ok(())
 }
 
-/// Refuses an output that cannot become a file, before work is spent on it.
-pub(crate) fn check_writable(path: &Path) -> Result<(), Failure> {
-    check(path, &folder_of(path))
+/// Refuses an output that cannot become a file, or that is the input, before work is spent on it.
+pub(crate) fn check_writable(path: &Path, input: &Path) -> Result<(), Failure> {
+    check(path, &folder_of(path))?;
+    match (path.canonicalize(), input.canonicalize()) {
+        (Ok(output), Ok(input)) if output == input => {
+            Err(Failure::Usage(format!("{}: this is the input; another name is needed for -o", path.display())))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn check(path: &Path, folder: &Path) -> Result<(), Failure> {

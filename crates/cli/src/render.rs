@@ -43,7 +43,7 @@ struct Comparison {
 }
 
 pub(crate) fn run(arguments: &RenderArguments, json: bool) -> Result<ExitStatus, Failure> {
-    output::check_writable(&arguments.output)?;
+    output::check_writable(&arguments.output, &arguments.file)?;
     let file = AssetFile::read(&arguments.file)?;
     let (height, horizon) = (file.decode(Table::Height)?, file.decode(Table::Horizon)?);
     let heights = HeightView::new(height.descriptor, &height.payload).map_err(|error| file.content(error))?;

@@ -4,7 +4,7 @@ use barchan_asset::{Severity, validate};
 use serde::Serialize;
 
 use crate::args::FileArguments;
-use crate::asset_file::{AssetFile, limits};
+use crate::asset_file::AssetFile;
 use crate::console;
 use crate::failure::{ExitStatus, Failure};
 
@@ -28,7 +28,7 @@ struct FindingReport {
 
 pub(crate) fn run(arguments: &FileArguments, json: bool) -> Result<ExitStatus, Failure> {
     let file = AssetFile::read(&arguments.file)?;
-    let findings = validate(&file.bytes, &limits());
+    let findings = validate(&file.bytes, &file.limits());
     let valid = findings.iter().all(|finding| finding.severity != Severity::Error);
     let findings = findings.into_iter().map(|finding| FindingReport {
         words: finding.to_string(),

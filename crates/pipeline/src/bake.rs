@@ -77,7 +77,7 @@ fn bake_horizon(plan: &Plan, loaded: &Loaded, exec: &Exec<'_>) -> Result<Horizon
     let params = horizon_params(&plan.recipe, loaded.field.grid(), plan.bakes(Table::Distance));
     // A field that is too small is the source's fault, anything else the recipe's.
     horizon::bake(&loaded.field, &params, exec).map_err(|error| match error {
-        BakeError::Field { .. } => refused(&loaded.words, error),
+        BakeError::Field { .. } => refused("source", error),
         _ => refused("horizon", error),
     })
 }

@@ -59,9 +59,13 @@ pub enum PipelineError {
 }
 
 impl PipelineError {
-    /// Whether the disk failed and not its content.
+    /// Whether the disk or the system failed, and not what is on it.
     #[must_use]
     pub fn is_io(&self) -> bool {
-        matches!(self, Self::Import(error) if error.is_io())
+        match self {
+            Self::Import(error) => error.is_io(),
+            Self::Bake { error, .. } => matches!(error, BakeError::Threads { .. }),
+            _ => false,
+        }
     }
 }

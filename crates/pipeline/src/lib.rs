@@ -13,6 +13,7 @@ mod recipe;
 mod report;
 mod source;
 mod spacing;
+mod syntax;
 mod table;
 
 pub use accuracy::HorizonAccuracy;

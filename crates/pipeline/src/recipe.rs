@@ -7,10 +7,13 @@ use barchan_asset::Encoding;
 use barchan_field::{Edge, FieldError, LengthUnit, Shape, Spacing};
 use barchan_import::Fill;
 use ron::extensions::Extensions;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use serde_path_to_error::{Path, Segment};
 use thiserror::Error;
 
 use crate::spacing::SpacingText;
+use crate::syntax;
 
 /// A recipe, with every default filled in.
 #[derive(Debug, Clone, PartialEq)]
@@ -240,7 +243,7 @@ impl Recipe {
     pub fn parse(text: &str) -> Result<Self, RecipeError> {
         let options = ron::Options::default()
             .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES | Extensions::IMPLICIT_SOME);
-        let text: RecipeText = options.from_str(text).map_err(|error| syntax_error(&error))?;
+        let text: RecipeText = read(text, &options)?;
         let (spacing_u, spacing_v) = text.spacing.lengths();
         Ok(Self {
             source: text.source,
@@ -256,24 +259,20 @@ impl Recipe {
     }
 }
 
-fn syntax_error(error: &ron::error::SpannedError) -> RecipeError {
-    use ron::Error::{NoSuchEnumVariant, NoSuchStructField};
-    let reason = match &error.code {
-        NoSuchStructField { expected, found, .. } => unknown("field", found, expected),
-        NoSuchEnumVariant { expected, found, .. } => unknown("value", found, expected),
-        other => other.to_string(),
-    };
-    RecipeError::Syntax { line: error.span.start.line, column: error.span.start.col, reason }
+/// Deserializes a text and remembers in which field an error arose.
+fn read<T: DeserializeOwned>(text: &str, options: &ron::Options) -> Result<T, RecipeError> {
+    let mut ron =
+        ron::Deserializer::from_str_with_options(text, options).map_err(|error| syntax::error(text, "", &error))?;
+    let value = serde_path_to_error::deserialize(&mut ron).map_err(|error| {
+        let field = field_name(error.path());
+        syntax::error(text, &field, &ron.span_error(error.into_inner()))
+    })?;
+    ron.end().map_err(|error| syntax::error(text, "", &ron.span_error(error)))?;
+    Ok(value)
 }
 
-/// Names the nearest known word, if one is near, and all that would be accepted.
-fn unknown(what: &str, found: &str, expected: &[&str]) -> String {
-    let nearest = expected
-        .iter()
-        .map(|word| (strsim::damerau_levenshtein(found, word), word))
-        .filter(|(distance, word)| *distance <= 1 + word.len().max(found.len()) / 3)
-        .min_by_key(|(distance, _)| *distance);
-    let hint = nearest.map(|(_, word)| format!("; did you mean `{word}`?")).unwrap_or_default();
-    let list = expected.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
-    format!("unknown {what} `{found}`{hint} (accepted: {list})")
+/// `horizon.directions`; empty for the recipe itself.
+fn field_name(path: &Path) -> String {
+    let known = path.iter().filter(|segment| !matches!(segment, Segment::Unknown));
+    known.map(ToString::to_string).collect::<Vec<_>>().join(".")
 }

@@ -34,7 +34,7 @@ impl<'de> Visitor<'de> for SpacingVisitor {
     type Value = SpacingText;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str("a length per texel, or two in parentheses: along u and along v")
+        f.write_str("a length per texel, or two in parentheses (along u and along v),")
     }
 
     fn visit_f64<E: Error>(self, length: f64) -> Result<SpacingText, E> {

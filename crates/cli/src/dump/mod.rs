@@ -59,7 +59,7 @@ struct Report {
 
 pub(crate) fn run(arguments: &DumpArguments, json: bool) -> Result<ExitStatus, Failure> {
     if let Some(output) = &arguments.output {
-        output::check_writable(output)?;
+        output::check_writable(output, &arguments.file)?;
     }
     let file = AssetFile::read(&arguments.file)?;
     let table = file.decode(chosen_table(&file, arguments.table)?)?;

@@ -1,0 +1,196 @@
+//! Recipes as people write them.
+
+use barchan_field::shapes::{Dunes, Plane};
+use barchan_field::{Edge, LengthUnit, Shape, Spacing};
+use barchan_import::Fill;
+use barchan_pipeline::{
+    Compression, DistanceRecipe, HeightMapSource, HeightRecipe, HorizonRecipe, Recipe, RecipeError, Scene, ShapeSource,
+    Source, TableEncoding,
+};
+
+const PLANE: &str = "source: Shape(shape: Plane(slope_u: 0.5, slope_v: -0.25), width: 3, height: 2)";
+
+fn plane() -> Source {
+    Source::Shape(ShapeSource { shape: Shape::Plane(Plane { slope_u: 0.5, slope_v: -0.25 }), width: 3, height: 2 })
+}
+
+/// A recipe of a plane and more fields.
+fn parse(fields: &str) -> Result<Recipe, RecipeError> {
+    Recipe::parse(&format!("({PLANE}, {fields})"))
+}
+
+/// What the parser says about a recipe of a plane and more fields, which begin at column 82.
+fn complaint(fields: &str) -> String {
+    parse(fields).unwrap_err().to_string()
+}
+
+#[test]
+fn only_the_source_is_needed() {
+    assert_eq!(parse("").unwrap(), Recipe::bare(plane()));
+}
+
+#[test]
+fn a_bare_recipe_is_clamped_square_and_leaves_nothing_out() {
+    let recipe = Recipe::bare(plane());
+    assert_eq!((recipe.spacing, recipe.unit, recipe.edge), (Spacing::UNIT, LengthUnit::SceneUnit, Edge::Clamp));
+    assert_eq!((recipe.scene, recipe.compression), (None, Compression::None));
+    assert_eq!((recipe.horizon.directions, recipe.horizon.radius), (32, None));
+    let encodings = [recipe.height.encoding, recipe.horizon.encoding, recipe.distance.encoding];
+    assert_eq!(encodings, [TableEncoding::F16; 3]);
+}
+
+#[test]
+fn every_field_is_read() {
+    let text = "(
+        source: Shape(
+            shape: Dunes(
+                dune_height: 18.0, dunes_across: 2, ripple_height: 0.35, ripples_across: 44, sinuosity: 0.85,
+                slip_degrees: 32.0, seed: 7,
+            ),
+            width: 512, height: 256,
+        ),
+        spacing: (0.5, 0.25),
+        unit: kilometre,
+        edge: wrap,
+        scene: (curved_surfaces: true, soft_shadows: false),
+        height: (encoding: f32),
+        horizon: (directions: 48, radius: 128.5, encoding: u8),
+        distance: (encoding: u8),
+        compression: zstd,
+    )";
+    let dunes = Dunes {
+        dune_height: 18.0,
+        dunes_across: 2,
+        ripple_height: 0.35,
+        ripples_across: 44,
+        sinuosity: 0.85,
+        slip_degrees: 32.0,
+        seed: 7,
+    };
+    let expected = Recipe {
+        source: Source::Shape(ShapeSource { shape: Shape::Dunes(dunes), width: 512, height: 256 }),
+        spacing: Spacing::new(0.5, 0.25).unwrap(),
+        unit: LengthUnit::Kilometre,
+        edge: Edge::Wrap,
+        scene: Some(Scene { curved_surfaces: true, soft_shadows: false }),
+        height: HeightRecipe { encoding: TableEncoding::F32 },
+        horizon: HorizonRecipe { directions: 48, radius: Some(128.5), encoding: TableEncoding::U8 },
+        distance: DistanceRecipe { encoding: TableEncoding::U8 },
+        compression: Compression::Zstd,
+    };
+    assert_eq!(Recipe::parse(text).unwrap(), expected);
+}
+
+#[test]
+fn every_field_of_a_height_map_is_read() {
+    let text = "(source: HeightMap(
+        path: \"maps/a.tif\", height_scale: 12.5, height_offset: -3, channel: \"R\", no_data: -9999, fill: value(1.5),
+    ))";
+    let expected = HeightMapSource {
+        height_scale: 12.5,
+        height_offset: -3.0,
+        channel: Some("R".to_owned()),
+        no_data: Some(-9999.0),
+        fill: Some(Fill::Value(1.5)),
+        ..HeightMapSource::new("maps/a.tif".into(), 1.0)
+    };
+    assert_eq!(Recipe::parse(text).unwrap().source, Source::HeightMap(expected));
+    let bare = Recipe::parse("(source: HeightMap(path: \"a.png\"))").unwrap();
+    assert_eq!(bare.source, Source::HeightMap(HeightMapSource::new("a.png".into(), 1.0)));
+    for (words, fill) in [("lowest", Fill::Lowest), ("nearest", Fill::Nearest)] {
+        let recipe = Recipe::parse(&format!("(source: HeightMap(path: \"a.png\", fill: {words}))")).unwrap();
+        let Source::HeightMap(source) = recipe.source else { panic!("a height map") };
+        assert_eq!(source.fill, Some(fill));
+    }
+}
+
+#[test]
+fn a_spacing_is_one_length_or_two() {
+    for (text, (u, v)) in [
+        ("2", (2.0, 2.0)),
+        ("0.25", (0.25, 0.25)),
+        ("(74, 93)", (74.0, 93.0)),
+        ("(0.5, 1)", (0.5, 1.0)),
+        ("1e-30", (1e-30, 1e-30)),
+    ] {
+        assert_eq!(parse(&format!("spacing: {text}")).unwrap().spacing, Spacing::new(u, v).unwrap(), "{text}");
+    }
+}
+
+#[test]
+fn an_optional_value_is_written_with_or_without_some() {
+    for radius in ["3.0", "Some(3.0)", "3"] {
+        assert_eq!(parse(&format!("horizon: (radius: {radius})")).unwrap().horizon.radius, Some(3.0), "{radius}");
+    }
+    assert_eq!(parse("horizon: (radius: None)").unwrap().horizon.radius, None);
+    assert_eq!(parse("scene: ()").unwrap().scene, Some(Scene::default()));
+}
+
+#[test]
+fn a_spacing_that_is_no_length_is_refused() {
+    let needed = "a positive, finite length per texel is needed";
+    for (text, found) in [
+        ("0", "u is 0"),
+        ("-1.5", "u is -1.5"),
+        ("(1, 0)", "v is 0"),
+        ("NaN", "u is NaN"),
+        ("inf", "u is inf"),
+        ("(1.0, -inf)", "v is -inf"),
+    ] {
+        assert_eq!(complaint(&format!("spacing: {text}")), format!("spacing {found}; {needed}"));
+    }
+    let words = "a length per texel, or two in parentheses (along u and along v), is needed";
+    assert_eq!(complaint("spacing: true"), format!("line 1, column 91: `spacing` is `true`; {words}"));
+    assert_eq!(complaint("spacing: (1.0)"), format!("line 1, column 95: `spacing` is `1.0`; {words}"));
+}
+
+#[test]
+fn a_complaint_tells_line_and_column_and_the_nearest_field() {
+    let text = format!("(\n  {PLANE},\n  horizon: (\n    directions: 3,\n    radious: 2.0,\n  ),\n)");
+    let RecipeError::Syntax { line, column, reason } = Recipe::parse(&text).unwrap_err() else { panic!("syntax") };
+    assert_eq!((line, column), (5, 5));
+    assert_eq!(
+        reason,
+        "unknown field `radious`; did you mean `radius`? (accepted: `directions`, `radius`, `encoding`)"
+    );
+    assert_eq!(
+        complaint("colour: 3"),
+        "line 1, column 82: unknown field `colour` (accepted: `source`, `spacing`, `unit`, `edge`, `scene`, `height`, \
+         `horizon`, `distance`, `compression`)"
+    );
+    assert_eq!(
+        complaint("unit: kilometer"),
+        "line 1, column 88: unknown value `kilometer`; did you mean `kilometre`? (accepted: `scene_unit`, `metre`, \
+         `centimetre`, `millimetre`, `kilometre`)"
+    );
+}
+
+#[test]
+fn a_value_of_the_wrong_type_is_shown_with_its_field() {
+    let words = |fields: &str| complaint(fields).split_once(": ").unwrap().1.to_owned();
+    assert_eq!(words("horizon: (directions: many)"), "`horizon.directions` is `many`; a whole number is needed");
+    assert_eq!(words("horizon: (directions: )"), "`horizon.directions` has no value; a whole number is needed");
+    assert_eq!(
+        words("horizon: (directions: -1)"),
+        "`horizon.directions` is `-1`; a whole number within the field's range is needed"
+    );
+    assert_eq!(words("scene: (soft_shadows: yes)"), "`scene.soft_shadows` is `yes`; true or false is needed");
+    let long = "x".repeat(60);
+    let cut = format!("`horizon.radius` is `{}…`; a number is needed", "x".repeat(40));
+    assert_eq!(words(&format!("horizon: (radius: {long})")), cut);
+}
+
+#[test]
+fn what_follows_a_recipe_or_is_missing_from_it_is_said() {
+    let says = |text: &str| Recipe::parse(text).unwrap_err().to_string();
+    assert_eq!(says(""), "line 1, column 1: a list of fields in parentheses is needed");
+    assert_eq!(says("()"), "line 1, column 2: the field `source` is missing");
+    assert_eq!(says(&format!("({PLANE}) x")), "line 1, column 81: nothing may follow the recipe's closing `)`");
+    assert_eq!(complaint("edge: wrap, edge: wrap"), "line 1, column 94: the field `edge` is there twice");
+}
+
+#[test]
+fn comments_and_line_ends_of_any_kind_are_accepted() {
+    let text = format!("// a comment\r\n(\r\n  /* another */ {PLANE}, // and one more\r\n)\r\n");
+    assert_eq!(Recipe::parse(&text).unwrap(), Recipe::bare(plane()));
+}

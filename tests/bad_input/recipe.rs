@@ -1,0 +1,163 @@
+//! Recipes.
+
+use crate::support::Place;
+
+/// The complaint about a recipe, without the file's name; nothing is written.
+fn complaint(recipe: &str) -> String {
+    let place = Place::with("r.ron", recipe);
+    let message = place.fails(2, "bake r.ron");
+    assert_eq!(place.names(), ["r.ron"]);
+    message.strip_prefix("r.ron:").unwrap_or_else(|| panic!("the recipe is not named: {message}")).to_owned()
+}
+
+/// A recipe with a line of fields, on line 3.
+fn with(fields: &str) -> String {
+    format!("(\n    source: Shape(shape: Plane(slope_u: 0.5, slope_v: 0.0), width: 8, height: 8),\n{fields}\n)")
+}
+
+#[test]
+fn an_unknown_field_names_the_nearest_known_one() {
+    for (fields, expected) in [
+        ("spacng: 1.0,", "3:1: unknown field `spacng`; did you mean `spacing`?"),
+        ("horzion: (),", "3:1: unknown field `horzion`; did you mean `horizon`?"),
+        ("horizon: (radus: 3.0),", "3:11: unknown field `radus`; did you mean `radius`?"),
+        ("horizon: (direction: 3),", "3:11: unknown field `direction`; did you mean `directions`?"),
+        ("height: (encodng: u8),", "3:10: unknown field `encodng`; did you mean `encoding`?"),
+        ("scene: (soft_shadow: true),", "3:9: unknown field `soft_shadow`; did you mean `soft_shadows`?"),
+        ("edge: warp,", "3:7: unknown value `warp`; did you mean `wrap`?"),
+        ("unit: meter,", "3:7: unknown value `meter`; did you mean `metre`?"),
+        ("distance: (encoding: f8),", "3:22: unknown value `f8`; did you mean `u8`?"),
+        ("compression: zst,", "3:14: unknown value `zst`; did you mean `zstd`?"),
+    ] {
+        let found = complaint(&with(fields));
+        assert!(found.starts_with(expected), "{found}\n{expected}");
+        assert!(found.contains("? (accepted: `"), "{found}");
+    }
+}
+
+#[test]
+fn a_field_near_to_nothing_is_shown_what_there_is() {
+    assert_eq!(
+        complaint(&with("scene: (zzz: true),")),
+        "3:9: unknown field `zzz` (accepted: `curved_surfaces`, `soft_shadows`)"
+    );
+}
+
+#[test]
+fn unknown_sources_shapes_and_parameters_name_the_nearest_too() {
+    for (source, expected) in [
+        ("Shap(shape: 1)", "1:10: unknown value `Shap`; did you mean `Shape`? (accepted: `HeightMap`, `Shape`)"),
+        ("HeightMap(pth: \"a\")", "1:20: unknown field `pth`; did you mean `path`?"),
+        ("Shape(shape: Dune(), width: 1)", "1:23: unknown value `Dune`; did you mean `Dunes`? (accepted: `Plane`, "),
+        (
+            "Shape(shape: Plane(slope: 1.0))",
+            "1:29: unknown field `slope`; did you mean `slope_u`? (accepted: `slope_u`, `slope_v`)",
+        ),
+        ("Shape(shape: Ripples(amplitud: 1.0))", "1:31: unknown field `amplitud`; did you mean `amplitude`?"),
+    ] {
+        let found = complaint(&format!("(source: {source})"));
+        assert!(found.starts_with(expected), "{found}\n{expected}");
+    }
+}
+
+#[test]
+fn a_value_of_the_wrong_type_is_named_with_its_field() {
+    for (fields, expected) in [
+        ("horizon: (directions: \"8\"),", "`horizon.directions` is `\"8\"`; a whole number is needed"),
+        (
+            "horizon: (directions: -8),",
+            "`horizon.directions` is `-8`; a whole number within the field's range is needed",
+        ),
+        ("horizon: (radius: far),", "`horizon.radius` is `far`; a number is needed"),
+        ("scene: (soft_shadows: 1),", "`scene.soft_shadows` is `1`; true or false is needed"),
+        ("edge: \"wrap\",", "`edge` is `\"wrap\"`; a name without quotes is needed"),
+        ("height: 3,", "`height` is `3`; a list of fields in parentheses is needed"),
+        (
+            "spacing: \"wide\",",
+            "`spacing` is `\"wide\"`; a length per texel, or two in parentheses (along u and along v), is needed",
+        ),
+    ] {
+        let found = complaint(&with(fields));
+        let (place, words) = found.split_once(": ").unwrap();
+        assert_eq!(words, expected);
+        assert!(place.starts_with("3:"), "{place}");
+    }
+    assert_eq!(
+        complaint("(source: Shape(shape: Plane(slope_u: steep)))"),
+        "1:37: `source.Shape.shape.Plane.slope_u` is `steep`; a number is needed"
+    );
+}
+
+#[test]
+fn what_is_missing_double_or_unfinished_is_said() {
+    for (recipe, expected) in [
+        ("", "1:1: a list of fields in parentheses is needed"),
+        ("(edge: wrap)", "1:12: the field `source` is missing"),
+        ("(source: HeightMap())", "1:20: source.HeightMap: the field `path` is missing"),
+        (&with("edge: wrap, edge: clamp,"), "3:13: the field `edge` is there twice"),
+        ("(source: HeightMap(path: \"a.png\")", "1:33: a comma or a closing `)` is needed"),
+        ("(source: HeightMap(path: \"a.png\")) more", "1:35: nothing may follow the recipe's closing `)`"),
+        ("(source: HeightMap(path: \"a.png", "1:26: source.HeightMap.path: a closing `\"` is needed"),
+    ] {
+        assert_eq!(complaint(recipe), expected, "{recipe}");
+    }
+}
+
+#[test]
+fn a_number_out_of_range_is_named_with_what_is_accepted() {
+    let spacing = "is needed";
+    for (fields, expected) in [
+        ("spacing: 0.0,", format!(" spacing u is 0; a positive, finite length per texel {spacing}")),
+        ("spacing: (1.0, -2.0),", format!(" spacing v is -2; a positive, finite length per texel {spacing}")),
+        ("horizon: (directions: 0),", " horizon: directions is 0; 1 to 2048 azimuths are accepted".into()),
+        ("horizon: (directions: 2049),", " horizon: directions is 2049; 1 to 2048 azimuths are accepted".into()),
+    ] {
+        assert_eq!(complaint(&with(fields)), expected);
+    }
+    for radius in ["0.0", "-1.0", "1e9", "inf", "NaN"] {
+        let found = complaint(&with(&format!("horizon: (radius: {radius}),")));
+        let value = radius.parse::<f64>().unwrap();
+        let accepted = "a positive length of at most 131072 texels is accepted";
+        assert_eq!(found, format!(" horizon: radius is {value}; {accepted}"));
+    }
+}
+
+#[test]
+fn a_shape_that_cannot_be_is_refused() {
+    let shape =
+        |words: &str, width: u32| complaint(&format!("(source: Shape(shape: {words}, width: {width}, height: 8))"));
+    assert_eq!(
+        shape("Plane(slope_u: inf, slope_v: 0.0)", 8),
+        " source: plane: slope_u is inf; a slope from -1e6 to 1e6 is needed"
+    );
+    let plane = "Plane(slope_u: 0.5, slope_v: 0.0)";
+    assert_eq!(shape(plane, 0), " source: the height field is 0 × 8 texels; both sides must be at least 1");
+    assert_eq!(
+        shape(plane, u32::MAX),
+        " source: 4294967295 × 8 texels are 34359738360; at most 268435456 are accepted"
+    );
+}
+
+#[test]
+fn one_texel_has_no_horizon_but_a_height() {
+    let recipe = "(source: Shape(shape: Plane(slope_u: 0.5, slope_v: 0.0), width: 1, height: 1))";
+    assert_eq!(complaint(recipe), " source: the height map is 1 × 1 texels; a horizon needs at least 2 texels");
+    let place = Place::with("r.ron", recipe);
+    place.ok("bake r.ron --only height");
+    assert_eq!(place.json("validate r.barchan")["findings"], serde_json::json!([]));
+}
+
+#[test]
+fn a_recipe_is_a_text() {
+    let place = Place::with("r.ron", b"(source: \xff)");
+    assert_eq!(place.fails(2, "bake r.ron"), "r.ron: byte 9 is not UTF-8; a recipe is a RON text");
+}
+
+#[test]
+fn a_height_map_of_a_recipe_is_named_by_its_own_path() {
+    let place = Place::with("r.ron", "(source: HeightMap(path: \"a.png\"))");
+    place.write("a.png", "");
+    assert_eq!(place.fails(2, "bake r.ron"), "a.png: the file is empty; a PNG, EXR, TIFF or NPY file is needed");
+    place.write("r.ron", "(source: HeightMap(path: \"a.png\", height_scale: inf))");
+    assert_eq!(place.fails(2, "bake r.ron"), "a.png: `height_scale` is inf; a finite number is needed");
+}

@@ -1,0 +1,15 @@
+//! The whole road: a height map or a recipe in, a file out, and everything that can be done with the file.
+
+#[path = "end_to_end/bake.rs"]
+mod bake;
+#[path = "end_to_end/compare.rs"]
+mod compare;
+#[path = "end_to_end/dump.rs"]
+mod dump;
+#[path = "end_to_end/height_map.rs"]
+mod height_map;
+#[path = "end_to_end/render.rs"]
+mod render;
+#[path = "end_to_end/samples.rs"]
+mod samples;
+mod support;

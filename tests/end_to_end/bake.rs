@@ -1,0 +1,202 @@
+//! What a bake writes and says.
+
+use crate::support::{Place, parse_json};
+
+const RIPPLES: &str = "(
+    source: Shape(shape: Ripples(amplitude: 2.0, waves_u: 3, waves_v: 1), width: 40, height: 24),
+    spacing: (0.5, 0.25), unit: metre, edge: wrap, horizon: (directions: 8, radius: 6.0),
+)";
+
+/// [`RIPPLES`] with more fields.
+fn ripples_with(fields: &str) -> String {
+    RIPPLES.replace("\n)", &format!("\n{fields})"))
+}
+
+#[test]
+fn the_same_bytes_for_any_number_of_threads_and_any_run() {
+    let place = Place::with("recipe.ron", RIPPLES);
+    for (name, jobs) in [("a", "1"), ("b", "2"), ("c", "3"), ("d", "0"), ("e", "1")] {
+        place.ok(&format!("bake recipe.ron -j {jobs} -o {name}.barchan"));
+    }
+    let first = place.read("a.barchan");
+    for name in ["b", "c", "d", "e"] {
+        assert!(place.read(&format!("{name}.barchan")) == first, "{name} differs from a");
+    }
+}
+
+#[test]
+fn packing_changes_the_bytes_and_not_the_identity() {
+    let place = Place::with("raw.ron", RIPPLES);
+    place.write("zstd.ron", ripples_with("compression: zstd,"));
+    let (raw, zstd) = (place.json("bake raw.ron"), place.json("bake zstd.ron"));
+    assert!(zstd["file_bytes"].as_u64() < raw["file_bytes"].as_u64());
+    // The provenance tells how sections are packed, so the content differs in that one word.
+    let (raw, zstd) = (place.json("inspect raw.barchan"), place.json("inspect zstd.barchan"));
+    assert_ne!(raw["provenance"], zstd["provenance"]);
+    assert!(place.ok("compare raw.barchan zstd.barchan").ends_with("the same at tolerance 0\n"));
+    assert_eq!(place.json("validate zstd.barchan")["findings"], serde_json::json!([]));
+}
+
+#[test]
+fn the_output_is_named_after_the_input_and_lies_in_the_current_folder() {
+    let place = Place::new();
+    std::fs::create_dir(place.path("maps")).unwrap();
+    place.write("maps/hill.ron", RIPPLES);
+    assert!(place.ok("bake maps/hill.ron").starts_with("baked     hill.barchan, "));
+    assert_eq!(place.names(), ["hill.barchan", "maps"]);
+}
+
+#[test]
+fn a_scene_leaves_out_what_it_does_not_need_and_says_why() {
+    let place = Place::with("recipe.ron", ripples_with("scene: (),"));
+    let words = place.ok("bake recipe.ron");
+    let reason = "the scene has no curved surfaces and no soft shadows";
+    assert!(words.contains(&format!("left out  distance, saving 15.0 KiB: {reason}\n")), "{words}");
+    let report = place.json("bake recipe.ron");
+    assert_eq!(report["left_out"][0]["table"], "distance");
+    assert_eq!(report["left_out"][0]["bytes_saved"], 40 * 24 * 8 * 2);
+    assert_eq!(
+        place.fails(2, "dump recipe.barchan distance --format text"),
+        "recipe.barchan: there is no distance table; the file has height and horizon"
+    );
+}
+
+#[test]
+fn a_scene_that_needs_the_distance_gets_it() {
+    for (scene, reason) in [
+        ("scene: (soft_shadows: true),", "sizes penumbrae"),
+        ("scene: (curved_surfaces: true),", "corrects the horizon on curved surfaces"),
+        ("", "no recipe says that the scene does without it"),
+    ] {
+        let place = Place::with("recipe.ron", ripples_with(scene));
+        let report = place.json("bake recipe.ron");
+        assert_eq!(report["left_out"], serde_json::json!([]));
+        assert_eq!(
+            (&report["tables"][2]["table"], &report["tables"][2]["reason"]),
+            (&"distance".into(), &reason.into())
+        );
+    }
+}
+
+#[test]
+fn only_overrides_the_scene() {
+    let place = Place::with("recipe.ron", ripples_with("scene: (),"));
+    let report = place.json("bake recipe.ron --only height,distance");
+    let names = |list: &str| -> Vec<_> {
+        report[list].as_array().unwrap().iter().map(|entry| entry["table"].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(
+        (names("tables"), names("left_out")),
+        (vec!["height".into(), "distance".into()], vec!["horizon".into()])
+    );
+    assert_eq!(report["left_out"][0]["reason"], "not named by --only");
+    assert_eq!(place.json("validate recipe.barchan")["findings"], serde_json::json!([]));
+}
+
+#[test]
+fn a_height_table_alone_needs_no_horizon() {
+    let place = Place::with("recipe.ron", RIPPLES);
+    let report = place.json("bake recipe.ron --only height");
+    assert_eq!((&report["horizon"], &report["mtexel_directions_per_second"]), (&().into(), &().into()));
+    // With one table, dump need not be told which.
+    assert!(place.ok("dump recipe.barchan").starts_with("# height in m, 40 × 24\n"));
+}
+
+#[test]
+fn the_report_tells_the_time_of_each_stage_and_the_speed() {
+    let place = Place::with("recipe.ron", RIPPLES);
+    let report = place.json("bake recipe.ron -j 2");
+    let stages = report["stages"].as_array().unwrap();
+    let names: Vec<_> = stages.iter().map(|stage| stage["stage"].as_str().unwrap()).collect();
+    assert_eq!(names, ["source", "horizon", "encode", "measure", "pack", "write"]);
+    let seconds: f64 = stages.iter().map(|stage| stage["seconds"].as_f64().unwrap()).sum();
+    assert!(seconds <= report["total_seconds"].as_f64().unwrap());
+    let speed = report["mtexel_directions_per_second"].as_f64().unwrap();
+    let horizon = stages[1]["seconds"].as_f64().unwrap();
+    assert!((speed * horizon - 40.0 * 24.0 * 8.0 / 1e6).abs() < 1e-9);
+    assert_eq!(report["threads"], 2);
+}
+
+#[test]
+fn every_report_is_json_with_a_versioned_schema() {
+    let place = Place::with("r.ron", RIPPLES);
+    for (words, schema) in [
+        ("bake r.ron", "barchan.bake/1"),
+        ("inspect r.barchan", "barchan.inspect/1"),
+        ("dump r.barchan height --format npy -o r.npy", "barchan.dump/1"),
+        ("validate r.barchan", "barchan.validate/1"),
+        ("compare r.barchan r.barchan", "barchan.compare/1"),
+        ("render r.barchan -o r.png", "barchan.render/1"),
+    ] {
+        assert_eq!(place.json(words)["schema"], schema);
+    }
+    let run = place.run("--json inspect missing.barchan");
+    let error = parse_json(&run.stdout);
+    assert_eq!((&error["schema"], &error["exit_code"]), (&"barchan.error/1".into(), &4.into()));
+    assert_eq!(error["error"].as_str(), Some(run.message().as_str()));
+}
+
+#[test]
+fn progress_goes_to_stderr_and_results_to_stdout() {
+    let place = Place::with("recipe.ron", RIPPLES);
+    let plain = place.run("bake recipe.ron --progress plain");
+    assert!(plain.stdout.starts_with("baked "));
+    let steps: Vec<_> = plain.stderr.lines().collect();
+    assert_eq!(steps[..3], ["source 0/1", "source 1/1", "horizon 0/1"]);
+    assert!(steps.contains(&"horizon 8/8"), "{steps:?}");
+
+    let json = place.run("--json bake recipe.ron --progress json");
+    assert_eq!(parse_json(&json.stdout)["schema"], "barchan.bake/1");
+    let lines: Vec<_> = json.stderr.lines().map(parse_json).collect();
+    assert!(lines.iter().all(|line| line["schema"] == "barchan.progress/1"));
+    assert!(lines.iter().any(|line| line["stage"] == "pack" && line["done"] == 1 && line["total"] == 1));
+
+    // Neither asked for nor a terminal: nothing.
+    assert_eq!(place.run("bake recipe.ron --progress none").stderr, "");
+    assert_eq!(place.run("bake recipe.ron").stderr, "");
+}
+
+#[test]
+fn provenance_names_no_path_host_or_time() {
+    let place = Place::with("secret-name.ron", RIPPLES);
+    place.ok("bake secret-name.ron -o a.barchan");
+    std::fs::create_dir(place.path("elsewhere")).unwrap();
+    place.write("elsewhere/other.ron", RIPPLES);
+    place.ok("bake elsewhere/other.ron -o b.barchan");
+    assert!(place.read("a.barchan") == place.read("b.barchan"));
+    let provenance = &place.json("inspect a.barchan")["provenance"];
+    let keys = |value: &serde_json::Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    assert_eq!(keys(provenance), ["generator", "horizon", "input", "recipe", "schema"]);
+    assert_eq!(provenance["input"]["shape"]["shape"]["Ripples"]["amplitude"], 2.0);
+    let text = provenance.to_string();
+    for word in ["secret", "recipe.ron", "/", "\\"] {
+        let found = text.replace("barchan.provenance/1", "").contains(word);
+        assert!(!found, "{word} in {text}");
+    }
+}
+
+#[test]
+fn the_commands_a_bake_proposes_run() {
+    for only in ["", "--only horizon"] {
+        let place = Place::with("recipe.ron", RIPPLES);
+        let words = place.ok(&format!("bake recipe.ron -o it.barchan {only}"));
+        let (_, next) = words.split_once("next ").unwrap();
+        let commands: Vec<_> = next.lines().map(str::trim).collect();
+        assert_eq!(commands.len(), if only.is_empty() { 2 } else { 1 });
+        for command in commands {
+            let run = place.shell(command);
+            assert_eq!(run.code, Some(0), "{command}\n{}", run.stderr);
+        }
+    }
+}
+
+#[test]
+fn the_commands_a_bake_proposes_survive_a_shell() {
+    let place = Place::with("r.ron", RIPPLES);
+    let run = place.run_words(&["bake", "r.ron", "-o", "it's a file.barchan"]);
+    for command in run.stdout.split_once("next ").unwrap().1.lines() {
+        let run = place.shell(command);
+        assert_eq!(run.code, Some(0), "{command}\n{}", run.stderr);
+    }
+    assert!(place.names().contains(&"it's a file.lit.png".to_owned()));
+}
