@@ -94,6 +94,7 @@ fn flags_of_height_maps_are_refused_beside_a_recipe() {
         "--edge wrap",
         "--spacing 2",
         "--unit metre",
+        "--integers raw",
         "--height-scale 2",
         "--height-offset 2",
         "--radius 2",

@@ -86,6 +86,19 @@ fn every_flag_reaches_the_file() {
     let input = &inspected["provenance"]["input"]["height_map"];
     assert_eq!((&input["format"], &input["height_scale"]), (&"NPY f32".into(), &2.0.into()));
     assert_eq!(input["blake3"].as_str().map(str::len), Some(64));
+    assert_eq!((&input["channel"], &input["no_data"], &input["fill"]), (&"Y".into(), &99.0.into(), &"nearest".into()));
+    let recipe = &inspected["provenance"]["recipe"];
+    assert_eq!((&recipe["edge"], &recipe["unit"]), (&"wrap".into(), &"centimetre".into()));
+}
+
+#[test]
+fn integers_are_a_share_of_full_scale_or_raw() {
+    let place = Place::with("map.png", png16());
+    place.ok("bake map.png --height-scale 65535 --encoding f32 --directions 4 -o share.barchan");
+    place.ok("bake map.png --integers raw --encoding f32 --directions 4 -o raw.barchan");
+    let (share, raw) = (place.array("share.barchan", "height"), place.array("raw.barchan", "height"));
+    assert_eq!(share.values, raw.values);
+    assert!(raw.values.iter().any(|&height| height > 60000.0) && raw.values.iter().all(|height| height.fract() == 0.0));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use anyhow::Result;
 
 use crate::run::cargo;
 
-/// Every closed form, and the real terrain with the scale its recipe gives it.
+/// Every closed form, and the real terrain, whose samples are whole metres: 65535 m is white.
 pub(crate) fn agreement() -> Result<()> {
     cargo("run --release -p barchan-bakers --example agreement -- samples/jacksboro.png 65535 0")
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use barchan_field::{Edge, LengthUnit, Spacing};
-use barchan_import::Fill;
+use barchan_import::{Fill, Integers};
 use barchan_pipeline::{Compression, Table, TableEncoding};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -46,7 +46,7 @@ pub(crate) struct FileArguments {
 #[command(after_help = "Examples:
   barchan bake samples/dunes.ron
   barchan bake rock.png --height-scale 12 --edge wrap --encoding u8 -o rock.barchan
-  barchan bake elevation.tif --spacing 74,93 --unit metre --radius 20000 --json")]
+  barchan bake elevation.tif --integers raw --spacing 74,93 --unit metre --radius 20000 --json")]
 pub(crate) struct BakeArguments {
     /// A recipe (.ron), or a height map (PNG, EXR, TIFF, NPY)
     pub(crate) input: PathBuf,
@@ -82,7 +82,10 @@ pub(crate) struct HeightMapArguments {
     /// The unit of heights, spacing and radius: metre, centimetre, millimetre, kilometre [default: scene_unit]
     #[arg(long, value_parser = unit)]
     pub(crate) unit: Option<LengthUnit>,
-    /// Height of a sample of 1; integer samples are normalised first, so it is the height of white [default: 1]
+    /// What a whole number in the file means: normalised (full scale is 1) or raw [default: normalised]
+    #[arg(long, value_parser = integers)]
+    pub(crate) integers: Option<Integers>,
+    /// Height of a sample of 1: of white, if integers are normalised [default: 1]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = finite)]
     pub(crate) height_scale: Option<f64>,
     /// Height of a sample of 0 [default: 0]
@@ -225,6 +228,10 @@ fn unit(text: &str) -> Result<LengthUnit, String> {
         ("kilometre", LengthUnit::Kilometre),
     ];
     word(text, &units)
+}
+
+fn integers(text: &str) -> Result<Integers, String> {
+    word(text, &[("normalised", Integers::Normalised), ("raw", Integers::Raw)])
 }
 
 fn encoding(text: &str) -> Result<TableEncoding, String> {

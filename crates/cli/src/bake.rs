@@ -84,6 +84,7 @@ fn recipe(arguments: &BakeArguments) -> Result<Recipe, Failure> {
 /// The recipe that the flags spell.
 fn bare_recipe(path: PathBuf, flags: &HeightMapArguments) -> Recipe {
     let mut source = HeightMapSource::new(path, flags.height_scale.unwrap_or(1.0));
+    source.integers = flags.integers.unwrap_or_default();
     source.height_offset = flags.height_offset.unwrap_or(0.0);
     source.channel = flags.channel.clone();
     source.no_data = flags.no_data;
@@ -107,6 +108,7 @@ fn first_flag(flags: &HeightMapArguments) -> Option<&'static str> {
         ("--edge", flags.edge.is_some()),
         ("--spacing", flags.spacing.is_some()),
         ("--unit", flags.unit.is_some()),
+        ("--integers", flags.integers.is_some()),
         ("--height-scale", flags.height_scale.is_some()),
         ("--height-offset", flags.height_offset.is_some()),
         ("--radius", flags.radius.is_some()),

@@ -40,6 +40,8 @@ struct Comparison {
     wrong_share: f64,
     false_shadow_pixels: u64,
     missed_shadow_pixels: u64,
+    /// Between texel centres the horizon is interpolated; there lies most of the rest.
+    wrong_share_at_texel_centres: f64,
 }
 
 pub(crate) fn run(arguments: &RenderArguments, json: bool) -> Result<ExitStatus, Failure> {
@@ -80,19 +82,14 @@ fn draw(
     let mask = pixels.map(|x, y| baked.in_shadow(x, y));
     let mut picture = Picture::lit(surface, light, pixels, &mask, &Palette::SAND);
     let shadow_share = mask.iter().filter(|&&dark| dark).count() as f64 / mask.len() as f64;
-    let comparison = arguments.compare.then(|| {
+    let mut comparison = None;
+    if arguments.compare {
         let traced = TracedShadow::new(surface, light, horizon.radius());
         let truth = pixels.map(|x, y| traced.in_shadow(x, y));
-        let traced = Picture::lit(surface, light, pixels, &truth, &Palette::SAND);
-        let difference = difference(pixels, &mask, &truth);
-        picture = Picture::side_by_side(&[picture.clone(), traced, difference], GAP_PIXELS);
-        let wrong = MaskDisagreement::between(&truth, &mask);
-        Comparison {
-            wrong_share: wrong.rate(),
-            false_shadow_pixels: wrong.false_shadow,
-            missed_shadow_pixels: wrong.missed_shadow,
-        }
-    });
+        comparison = Some(Comparison::new(&baked, &traced, &Pixels::one_per_texel(surface), &mask, &truth));
+        let truly_lit = Picture::lit(surface, light, pixels, &truth, &Palette::SAND);
+        picture = Picture::side_by_side(&[picture, truly_lit, difference(pixels, &mask, &truth)], GAP_PIXELS);
+    }
     let report = Report {
         schema: "barchan.render/1",
         file: arguments.file.display().to_string(),
@@ -105,6 +102,23 @@ fn draw(
         comparison,
     };
     (picture, report)
+}
+
+impl Comparison {
+    /// Compares the masks of a picture, and both methods once more at the centres of texels, where the map was baked.
+    fn new(baked: &HorizonShadow, traced: &TracedShadow<'_>, centres: &Pixels, mask: &[bool], truth: &[bool]) -> Self {
+        let wrong = MaskDisagreement::between(truth, mask);
+        let at_centres = MaskDisagreement::between(
+            &centres.map(|x, y| traced.in_shadow(x, y)),
+            &centres.map(|x, y| baked.in_shadow(x, y)),
+        );
+        Self {
+            wrong_share: wrong.rate(),
+            false_shadow_pixels: wrong.false_shadow,
+            missed_shadow_pixels: wrong.missed_shadow,
+            wrong_share_at_texel_centres: at_centres.rate(),
+        }
+    }
 }
 
 /// Red where the horizon map is too dark, blue where it is too light, white where it agrees with a lit truth and grey
@@ -138,10 +152,11 @@ fn describe(report: &Report) -> String {
     if let Some(comparison) = &report.comparison {
         text += &format!(
             "compared  left: horizon map, middle: ray-traced, right: difference\n\
-             wrong     {:.3} % of pixels: {} too dark (red), {} too light (blue)\n",
+             wrong     {:.2} % of pixels, {} too dark (red), {} too light (blue); {:.2} % of texel centres\n",
             100.0 * comparison.wrong_share,
             comparison.false_shadow_pixels,
-            comparison.missed_shadow_pixels
+            comparison.missed_shadow_pixels,
+            100.0 * comparison.wrong_share_at_texel_centres
         );
     }
     text

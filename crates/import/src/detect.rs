@@ -47,7 +47,8 @@ const OURS: [(&[u8], Format); 7] = [
 ];
 
 /// Files people try, for a message that helps.
-const OTHERS: [(&[u8], &str); 14] = [
+const OTHERS: [(&[u8], &str); 15] = [
+    (b"\x89BARCHAN", "a .barchan file, which is baked already"),
     (b"\x89PNG", "a PNG damaged in transfer (its line ends were converted)"),
     (b"\xff\xd8\xff", "a JPEG"),
     (b"GIF8", "a GIF"),

@@ -2,11 +2,12 @@
 //! depends on the machine, the time or a path, so the same input gives the same bytes.
 
 use barchan_bakers::horizon::ALGORITHM;
-use barchan_field::Shape;
+use barchan_field::{Edge, LengthUnit};
+use barchan_import::{Fill, Integers};
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::HorizonAccuracy;
-use crate::{Compression, Recipe, Scene, TableEncoding};
+use crate::{Recipe, Scene, ShapeSource, TableEncoding};
 
 /// Names the layout of [`Provenance`] as JSON.
 pub const PROVENANCE_SCHEMA: &str = "barchan.provenance/1";
@@ -36,23 +37,34 @@ pub enum InputProvenance {
         blake3: String,
         /// File format and sample type.
         format: String,
+        /// The channel that was named, if one was.
+        channel: Option<String>,
+        /// What a whole number in the file means.
+        integers: Integers,
         /// Height of a sample of 1.
         height_scale: f64,
         /// Height of a sample of 0.
         height_offset: f64,
+        /// The raw sample that stands for no data, if one was named.
+        no_data: Option<f64>,
+        /// What stands in for texels without a height.
+        fill: Option<Fill>,
         /// Texels whose height a fill rule made up.
         filled_texels: u64,
     },
-    /// A closed form.
-    Shape {
-        /// The form and its parameters.
-        shape: Shape,
-    },
+    /// A closed form, its parameters and extent.
+    Shape(ShapeSource),
 }
 
-/// The settings that shaped the tables.
+/// The settings that shaped the tables. How sections are packed is not among them: it does not change the content.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CanonicalRecipe {
+    /// Length per texel along u and v.
+    pub spacing: (f64, f64),
+    /// The unit of lengths.
+    pub unit: LengthUnit,
+    /// What lies beyond the edge.
+    pub edge: Edge,
     /// What the scene does, if anyone said.
     pub scene: Option<Scene>,
     /// The tables baked.
@@ -63,19 +75,19 @@ pub struct CanonicalRecipe {
     pub horizon_encoding: TableEncoding,
     /// How distances are stored.
     pub distance_encoding: TableEncoding,
-    /// How sections are packed.
-    pub compression: Compression,
 }
 
 impl CanonicalRecipe {
     pub(crate) fn new(recipe: &Recipe, tables: Vec<String>) -> Self {
         Self {
+            spacing: (recipe.spacing.u(), recipe.spacing.v()),
+            unit: recipe.unit,
+            edge: recipe.edge,
             scene: recipe.scene,
             tables,
             height_encoding: recipe.height.encoding,
             horizon_encoding: recipe.horizon.encoding,
             distance_encoding: recipe.distance.encoding,
-            compression: recipe.compression,
         }
     }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use barchan_asset::Encoding;
 use barchan_field::{Edge, FieldError, LengthUnit, Shape, Spacing};
-use barchan_import::Fill;
+use barchan_import::{Fill, Integers};
 use ron::extensions::Extensions;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -53,7 +53,10 @@ pub enum Source {
 pub struct HeightMapSource {
     /// The file; relative paths start at the recipe's folder.
     pub path: PathBuf,
-    /// Height of a sample of 1; integer samples are normalised, so it is the height of white.
+    /// What a whole number in the file means: `normalised`, so that full scale is 1, or `raw`.
+    #[serde(default)]
+    pub integers: Integers,
+    /// Height of a sample of 1: of white, if integers are normalised.
     #[serde(default = "one")]
     pub height_scale: f64,
     /// Height of a sample of 0.
@@ -78,7 +81,15 @@ impl HeightMapSource {
     /// A file, its samples taken with a height scale and nothing else said.
     #[must_use]
     pub fn new(path: PathBuf, height_scale: f64) -> Self {
-        Self { path, height_scale, height_offset: 0.0, channel: None, no_data: None, fill: None }
+        Self {
+            path,
+            integers: Integers::default(),
+            height_scale,
+            height_offset: 0.0,
+            channel: None,
+            no_data: None,
+            fill: None,
+        }
     }
 }
 

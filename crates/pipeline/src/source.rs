@@ -38,12 +38,13 @@ fn generate(recipe: &Recipe, source: &ShapeSource) -> Result<Loaded, PipelineErr
         field: shape.rasterize(grid).map_err(|error: FieldError| PipelineError::Shape(error))?,
         words: format!("generated {}", shape.name()),
         filled_texels: 0,
-        input: InputProvenance::Shape { shape },
+        input: InputProvenance::Shape(source.clone()),
     })
 }
 
 fn read(recipe: &Recipe, source: &HeightMapSource, path: PathBuf) -> Result<Loaded, PipelineError> {
     let options = HeightMapOptions {
+        integers: source.integers,
         height_scale: source.height_scale,
         height_offset: source.height_offset,
         spacing: recipe.spacing,
@@ -66,8 +67,12 @@ fn read(recipe: &Recipe, source: &HeightMapSource, path: PathBuf) -> Result<Load
         input: InputProvenance::HeightMap {
             blake3,
             format,
+            channel: source.channel.clone(),
+            integers: source.integers,
             height_scale: source.height_scale,
             height_offset: source.height_offset,
+            no_data: source.no_data,
+            fill: source.fill,
             filled_texels: map.source.filled,
         },
     })

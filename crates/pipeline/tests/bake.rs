@@ -69,7 +69,9 @@ fn provenance_reads_back_as_it_was_written() {
     let asset = Asset::open(&bytes).unwrap();
     let provenance = provenance(&asset);
     assert_eq!(provenance.schema, PROVENANCE_SCHEMA);
-    assert_eq!(provenance.input, InputProvenance::Shape { shape: SHAPE });
+    assert_eq!(provenance.input, InputProvenance::Shape(ShapeSource { shape: SHAPE, width: 24, height: 20 }));
+    assert_eq!(provenance.recipe.spacing, (0.5, 0.75));
+    assert_eq!((provenance.recipe.unit, provenance.recipe.edge), (LengthUnit::Metre, Edge::Wrap));
     assert_eq!(provenance.horizon, report.horizon);
     assert_eq!(provenance.recipe.tables, ["height", "horizon", "distance"]);
     assert_eq!(provenance.recipe.horizon_encoding, TableEncoding::U8);

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::{DirectionalLight, Surface};
 
-/// The pixels of a picture over a surface: square in length, whatever the texels are.
+/// The pixels of a picture over a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pixels {
     /// Pixels across.
@@ -16,7 +16,8 @@ pub struct Pixels {
 }
 
 impl Pixels {
-    /// `per_texel` pixels, at least 1, to the shorter side of a texel; at least one pixel each way.
+    /// Pixels that are square in length, whatever the texels are: `per_texel` of them, at least 1, to the shorter side of a
+    /// texel.
     #[must_use]
     pub fn over(surface: &Surface, per_texel: u32) -> Self {
         let (spacing_u, spacing_v) = surface.spacing();
@@ -26,6 +27,12 @@ impl Pixels {
         let (width, height) = (count(across, spacing_u), count(down, spacing_v));
         let texels = (f64::from(across) / f64::from(width), f64::from(down) / f64::from(height));
         Self { width, height, texels }
+    }
+
+    /// A pixel at the centre of every texel, whatever its shape.
+    #[must_use]
+    pub fn one_per_texel(surface: &Surface) -> Self {
+        Self { width: surface.heights().width(), height: surface.heights().height(), texels: (1.0, 1.0) }
     }
 
     /// Something of every pixel's place, row by row from the top; places are `(x, y)` in texels from the centre of

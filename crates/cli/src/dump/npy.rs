@@ -14,7 +14,7 @@ pub(super) fn encode(selection: &Selection<'_>) -> Result<Vec<u8>, Failure> {
     };
     let is_horizon = selection.is_horizon();
     let values = selection.layers.clone().flat_map(|layer| selection.layer_values(layer));
-    let values = values.map(|value| if is_horizon { f64::from(value).tan() as f32 } else { value });
+    let values = values.map(|value| if is_horizon { libm::tan(f64::from(value)) as f32 } else { value });
     let mut bytes = Vec::new();
     write(&mut bytes, &shape, values).map_err(|error| Failure::Io(format!("the array cannot be encoded: {error}")))?;
     Ok(bytes)

@@ -46,7 +46,7 @@ pub(super) fn csv(selection: &Selection<'_>) -> String {
     each_value(selection, |layer, row, column, value| {
         let elevation = f64::from(value);
         let (azimuth, degrees) = (selection.table.azimuth_degrees(layer), elevation.to_degrees());
-        let _ = writeln!(text, "{layer},{azimuth},{row},{column},{degrees},{}", elevation.tan() as f32);
+        let _ = writeln!(text, "{layer},{azimuth},{row},{column},{degrees},{}", libm::tan(elevation) as f32);
     });
     text
 }
