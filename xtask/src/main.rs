@@ -7,6 +7,8 @@ mod samples;
 mod test;
 mod tidy;
 
+use std::process::ExitCode;
+
 use clap::{Parser, Subcommand};
 
 #[derive(Parser)]
@@ -32,13 +34,18 @@ enum Task {
     Agreement,
 }
 
-fn main() -> anyhow::Result<()> {
-    match Arguments::parse().task {
+fn main() -> ExitCode {
+    let done = match Arguments::parse().task {
         Task::Test => test::test(),
         Task::Tidy => tidy::tidy(),
         Task::Samples => samples::samples(),
         Task::Goldens => test::goldens(),
         Task::Vectors => run::cargo("run -p barchan-asset --features write --example write_vectors"),
         Task::Agreement => agreement::agreement(),
+    };
+    if let Err(error) = done {
+        eprintln!("xtask: {error:#}");
+        return ExitCode::FAILURE;
     }
+    ExitCode::SUCCESS
 }

@@ -43,8 +43,8 @@ use crate::{BakeError, Exec};
 /// Names the algorithm in provenance. It changes when a bake's bytes do.
 pub const ALGORITHM: &str = "horizon-sweep-1";
 
-/// Bakes by line sweeps: the same bytes for any number of threads. Never above the [`reference`], and how far below is
-/// what the README and each asset's provenance report.
+/// Bakes by line sweeps: the same bytes for any number of threads. Above the [`mod@reference`] by rounding at most;
+/// how far below it is what the README and each asset's provenance report.
 pub fn bake(field: &HeightField, params: &HorizonParams, exec: &Exec) -> Result<HorizonMap, BakeError> {
     HorizonMap::fill(field, params, exec, |direction, mut layer| {
         sweep::bake_layer(field, params, direction, &mut layer);
