@@ -117,7 +117,8 @@ fn links() -> Result<Vec<String>> {
     Ok(problems)
 }
 
-/// The `target` of every `](target)`.
+/// The `target` of every `](target)` and `src="target"`.
 fn link_targets(markdown: &str) -> impl Iterator<Item = &str> {
-    markdown.split("](").skip(1).filter_map(|rest| rest.split(')').next())
+    let between = |start, end: char| markdown.split(start).skip(1).filter_map(move |rest: &str| rest.split(end).next());
+    between("](", ')').chain(between("src=\"", '"'))
 }
