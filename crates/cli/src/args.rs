@@ -14,6 +14,9 @@ pub(crate) struct Arguments {
     /// Print the result as JSON with a versioned schema name
     #[arg(long, global = true)]
     pub(crate) json: bool,
+    /// How to show progress on stderr
+    #[arg(long, global = true, value_name = "STYLE", default_value = "auto")]
+    pub(crate) progress: ProgressStyleName,
     #[command(subcommand)]
     pub(crate) command: Command,
 }
@@ -59,9 +62,6 @@ pub(crate) struct BakeArguments {
     /// Worker threads, at most 1024; 0 is one per core
     #[arg(short = 'j', long, value_name = "N", default_value_t = 0, value_parser = jobs)]
     pub(crate) jobs: usize,
-    /// How to show progress on stderr
-    #[arg(long, value_name = "STYLE", default_value = "auto")]
-    pub(crate) progress: ProgressStyleName,
     #[command(flatten)]
     pub(crate) height_map: HeightMapArguments,
 }
@@ -94,7 +94,7 @@ pub(crate) struct HeightMapArguments {
     /// How far the horizon is searched [default: the diagonal; the longer side if the map wraps]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = positive)]
     pub(crate) radius: Option<f64>,
-    /// How tables are stored: f32, f16 or u8 [default: f16]
+    /// How horizon and distance are stored: f32, f16 or u8; heights are f16 at least [default: f16]
     #[arg(long, value_parser = encoding)]
     pub(crate) encoding: Option<TableEncoding>,
     /// How sections are packed: none or zstd [default: none]

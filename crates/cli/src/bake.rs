@@ -9,7 +9,7 @@ use barchan_pipeline::{
 };
 use serde::Serialize;
 
-use crate::args::{BakeArguments, HeightMapArguments};
+use crate::args::{BakeArguments, HeightMapArguments, ProgressStyleName};
 use crate::console::{self, bytes, number};
 use crate::failure::{ExitStatus, Failure};
 use crate::output;
@@ -24,13 +24,13 @@ struct Report<'a> {
     total_seconds: f64,
 }
 
-pub(crate) fn run(arguments: &BakeArguments, json: bool) -> Result<ExitStatus, Failure> {
+pub(crate) fn run(arguments: &BakeArguments, progress: ProgressStyleName, json: bool) -> Result<ExitStatus, Failure> {
     let start = Instant::now();
     let recipe = recipe(arguments)?;
     let output = output_path(arguments)?;
     output::check_writable(&output, &arguments.input)?;
     let plan = Plan::new(recipe, arguments.only.as_deref());
-    let display = ProgressDisplay::new(arguments.progress);
+    let display = ProgressDisplay::new(progress);
     let folder = arguments.input.parent().unwrap_or(Path::new(""));
     // A bare height map's path is as typed, a recipe's paths start at the recipe.
     let folder = if is_recipe(&arguments.input) { folder } else { Path::new("") };
@@ -96,8 +96,10 @@ fn bare_recipe(path: PathBuf, flags: &HeightMapArguments) -> Recipe {
     recipe.compression = flags.compression.unwrap_or(recipe.compression);
     recipe.horizon.directions = flags.directions.unwrap_or(recipe.horizon.directions);
     recipe.horizon.radius = flags.radius;
-    let encoding: TableEncoding = flags.encoding.unwrap_or_default();
-    (recipe.height.encoding, recipe.horizon.encoding, recipe.distance.encoding) = (encoding, encoding, encoding);
+    let encoding = flags.encoding.unwrap_or_default();
+    (recipe.horizon.encoding, recipe.distance.encoding) = (encoding, encoding);
+    // Bytes would cut most relief into visible steps; a recipe can still ask for them.
+    recipe.height.encoding = if encoding == TableEncoding::U8 { TableEncoding::F16 } else { encoding };
     recipe
 }
 

@@ -41,13 +41,13 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<ExitStatus, Failure> {
-    let json = arguments.json;
+    let Arguments { json, progress, .. } = *arguments;
     match &arguments.command {
-        Command::Bake(bake) => bake::run(bake, json),
+        Command::Bake(bake) => bake::run(bake, progress, json),
         Command::Inspect(inspect) => inspect::run(inspect, json),
         Command::Dump(dump) => dump::run(dump, json),
         Command::Validate(validate) => validate::run(validate, json),
         Command::Compare(compare) => compare::run(compare, json),
-        Command::Render(render) => render::run(render, json),
+        Command::Render(render) => render::run(render, progress, json),
     }
 }

@@ -9,11 +9,12 @@ use barchan_shade::{DirectionalLight, HorizonShadow, Palette, Picture, Pixels, S
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use serde::Serialize;
 
-use crate::args::RenderArguments;
+use crate::args::{ProgressStyleName, RenderArguments};
 use crate::asset_file::AssetFile;
 use crate::console;
 use crate::failure::{ExitStatus, Failure};
 use crate::output;
+use crate::progress::ProgressDisplay;
 
 /// White pixels between pictures that stand side by side.
 const GAP_PIXELS: u32 = 8;
@@ -44,7 +45,7 @@ struct Comparison {
     wrong_share_at_texel_centres: f64,
 }
 
-pub(crate) fn run(arguments: &RenderArguments, json: bool) -> Result<ExitStatus, Failure> {
+pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json: bool) -> Result<ExitStatus, Failure> {
     output::check_writable(&arguments.output, &arguments.file)?;
     let file = AssetFile::read(&arguments.file)?;
     let (height, horizon) = (file.decode(Table::Height)?, file.decode(Table::Horizon)?);
@@ -54,12 +55,28 @@ pub(crate) fn run(arguments: &RenderArguments, json: bool) -> Result<ExitStatus,
         return Err(file.content("height and horizon differ in extent; a picture needs them to agree"));
     }
     let surface = Surface::new(&heights);
-    let pixels = pixels(&file, &surface, arguments.scale)?;
     let light = DirectionalLight::from_degrees(arguments.azimuth, arguments.elevation);
-    let (picture, report) = draw(arguments, &surface, &horizon, &light, &pixels);
-    output::write_whole(&arguments.output, &png(&picture)?)?;
-    console::present(&report, json, describe)?;
+    let scene = Scene { pixels: pixels(&file, &surface, arguments.scale)?, surface: &surface, horizon, light };
+    let display = ProgressDisplay::new(progress);
+    let drawing = scene.draw(arguments.compare, &display);
+    display.finish();
+    output::write_whole(&arguments.output, &png(&drawing.picture)?)?;
+    console::present(&report(arguments, drawing), json, describe)?;
     Ok(ExitStatus::Success)
+}
+
+fn report(arguments: &RenderArguments, drawing: Drawing) -> Report {
+    Report {
+        schema: "barchan.render/1",
+        file: arguments.file.display().to_string(),
+        output: arguments.output.display().to_string(),
+        azimuth_degrees: arguments.azimuth,
+        elevation_degrees: arguments.elevation,
+        width: drawing.picture.width,
+        height: drawing.picture.height,
+        shadow_share: drawing.shadow_share,
+        comparison: drawing.comparison,
+    }
 }
 
 fn pixels(file: &AssetFile, surface: &Surface, scale: u32) -> Result<Pixels, Failure> {
@@ -71,47 +88,65 @@ fn pixels(file: &AssetFile, surface: &Surface, scale: u32) -> Result<Pixels, Fai
     Ok(pixels)
 }
 
-fn draw(
-    arguments: &RenderArguments,
-    surface: &Surface,
-    horizon: &HorizonView<'_>,
-    light: &DirectionalLight,
-    pixels: &Pixels,
-) -> (Picture, Report) {
-    let baked = HorizonShadow::new(horizon, light);
-    let mask = pixels.map(|x, y| baked.in_shadow(x, y));
-    let mut picture = Picture::lit(surface, light, pixels, &mask, &Palette::SAND);
-    let shadow_share = mask.iter().filter(|&&dark| dark).count() as f64 / mask.len() as f64;
-    let mut comparison = None;
-    if arguments.compare {
-        let traced = TracedShadow::new(surface, light, horizon.radius());
-        let truth = pixels.map(|x, y| traced.in_shadow(x, y));
-        comparison = Some(Comparison::new(&baked, &traced, &Pixels::one_per_texel(surface), &mask, &truth));
-        let truly_lit = Picture::lit(surface, light, pixels, &truth, &Palette::SAND);
-        picture = Picture::side_by_side(&[picture, truly_lit, difference(pixels, &mask, &truth)], GAP_PIXELS);
+/// A surface under a sun, and the pixels it is seen through.
+struct Scene<'a> {
+    surface: &'a Surface,
+    horizon: HorizonView<'a>,
+    light: DirectionalLight,
+    pixels: Pixels,
+}
+
+/// What was drawn of a scene.
+struct Drawing {
+    picture: Picture,
+    shadow_share: f64,
+    comparison: Option<Comparison>,
+}
+
+impl Scene<'_> {
+    fn draw(&self, compare: bool, display: &ProgressDisplay) -> Drawing {
+        let baked = HorizonShadow::new(&self.horizon, &self.light);
+        let mask = self.pixels.map(|x, y| baked.in_shadow(x, y));
+        let shadow_share = mask.iter().filter(|&&dark| dark).count() as f64 / mask.len() as f64;
+        let picture = self.lit(&mask);
+        if !compare {
+            return Drawing { picture, shadow_share, comparison: None };
+        }
+        let traced = TracedShadow::new(self.surface, &self.light, self.horizon.radius());
+        let truth = trace(&traced, &self.pixels, display);
+        let pictures = [picture, self.lit(&truth), difference(&self.pixels, &mask, &truth)];
+        let wrong = MaskDisagreement::between(&truth, &mask);
+        let at_centres = match Pixels::one_per_texel(self.surface) {
+            centres if centres == self.pixels => wrong,
+            centres => {
+                let mask = centres.map(|x, y| baked.in_shadow(x, y));
+                MaskDisagreement::between(&trace(&traced, &centres, display), &mask)
+            }
+        };
+        let comparison = Some(Comparison::new(wrong, at_centres));
+        Drawing { picture: Picture::side_by_side(&pictures, GAP_PIXELS), shadow_share, comparison }
     }
-    let report = Report {
-        schema: "barchan.render/1",
-        file: arguments.file.display().to_string(),
-        output: arguments.output.display().to_string(),
-        azimuth_degrees: arguments.azimuth,
-        elevation_degrees: arguments.elevation,
-        width: picture.width,
-        height: picture.height,
-        shadow_share,
-        comparison,
-    };
-    (picture, report)
+
+    fn lit(&self, shadow: &[bool]) -> Picture {
+        Picture::lit(self.surface, &self.light, &self.pixels, shadow, &Palette::SAND)
+    }
+}
+
+/// Traces a shadow ray for every pixel, which on a large picture takes a while.
+fn trace(traced: &TracedShadow<'_>, pixels: &Pixels, display: &ProgressDisplay) -> Vec<bool> {
+    let (width, rows) = (pixels.width as usize, pixels.height as usize);
+    let mut done = 0;
+    pixels.map(|x, y| {
+        done += 1;
+        if done % width == 0 {
+            display.step("trace", done / width, rows);
+        }
+        traced.in_shadow(x, y)
+    })
 }
 
 impl Comparison {
-    /// Compares the masks of a picture, and both methods once more at the centres of texels, where the map was baked.
-    fn new(baked: &HorizonShadow, traced: &TracedShadow<'_>, centres: &Pixels, mask: &[bool], truth: &[bool]) -> Self {
-        let wrong = MaskDisagreement::between(truth, mask);
-        let at_centres = MaskDisagreement::between(
-            &centres.map(|x, y| traced.in_shadow(x, y)),
-            &centres.map(|x, y| baked.in_shadow(x, y)),
-        );
+    fn new(wrong: MaskDisagreement, at_centres: MaskDisagreement) -> Self {
         Self {
             wrong_share: wrong.rate(),
             false_shadow_pixels: wrong.false_shadow,
