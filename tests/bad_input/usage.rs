@@ -163,3 +163,16 @@ fn an_unreadable_file_is_the_systems_fault() {
         assert_eq!(place.fails(4, "inspect a.barchan"), "a.barchan: cannot be read: Permission denied (os error 13)");
     }
 }
+
+#[test]
+fn with_json_a_word_that_is_not_understood_is_an_object_too() {
+    let place = Place::with("r.ron", RECIPE);
+    for (words, error) in [
+        ("--json bake r.ron --edge wrp", "invalid value 'wrp' for '--edge <EDGE>': accepted: wrap, clamp"),
+        ("bake --json", "the following required arguments were not provided: <INPUT>"),
+    ] {
+        let run = place.run(words);
+        let report = parse_json(&run.stdout);
+        assert_eq!((run.code, &report["exit_code"], &report["error"]), (Some(1), &1.into(), &error.into()));
+    }
+}

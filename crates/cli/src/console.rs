@@ -37,19 +37,23 @@ pub(crate) fn print_json(value: &impl Serialize) -> Result<(), Failure> {
 
 /// One line of an error, to stderr; with `--json` also as an object on stdout.
 pub(crate) fn report_failure(failure: &Failure, json: bool) {
+    if json {
+        // The exit code tells even where stdout is gone.
+        let _ = print_error(failure);
+    }
+    let _ = writeln!(io::stderr(), "barchan: {failure}");
+}
+
+/// An error for machines.
+pub(crate) fn print_error(failure: &Failure) -> Result<(), Failure> {
     #[derive(Serialize)]
     struct ErrorReport {
         schema: &'static str,
         exit_code: u8,
         error: String,
     }
-    if json {
-        let report =
-            ErrorReport { schema: "barchan.error/1", exit_code: failure.status() as u8, error: failure.to_string() };
-        // The exit code tells even where stdout is gone.
-        let _ = print_json(&report);
-    }
-    let _ = writeln!(io::stderr(), "barchan: {failure}");
+    let (exit_code, error) = (failure.status() as u8, failure.to_string());
+    print_json(&ErrorReport { schema: "barchan.error/1", exit_code, error })
 }
 
 /// `512 B`, `4.0 KiB`, `1.5 MiB` …

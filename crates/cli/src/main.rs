@@ -23,12 +23,7 @@ use crate::failure::{ExitStatus, Failure};
 fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(error) => {
-            // Help and version are what was asked for; everything else is a usage error. If the message itself
-            // cannot be printed, there is nobody left to tell.
-            let _ = error.print();
-            return if error.use_stderr() { ExitStatus::Usage.into() } else { ExitCode::SUCCESS };
-        }
+        Err(error) => return refuse(&error),
     };
     let json = arguments.json;
     match run(&arguments) {
@@ -38,6 +33,23 @@ fn main() -> ExitCode {
             failure.status().into()
         }
     }
+}
+
+/// Help and version are what was asked for; anything else that clap stops at is a usage error.
+fn refuse(error: &clap::Error) -> ExitCode {
+    // If the message cannot be printed, there is nobody left to tell.
+    let _ = error.print();
+    if !error.use_stderr() {
+        return ExitCode::SUCCESS;
+    }
+    if std::env::args_os().any(|word| word == "--json") {
+        let text = error.to_string();
+        // What follows the first empty line is advice.
+        let words: Vec<_> = text.lines().take_while(|line| !line.is_empty()).flat_map(str::split_whitespace).collect();
+        let sentence = words.join(" ").trim_start_matches("error: ").to_owned();
+        let _ = console::print_error(&Failure::Usage(sentence));
+    }
+    ExitStatus::Usage.into()
 }
 
 fn run(arguments: &Arguments) -> Result<ExitStatus, Failure> {
