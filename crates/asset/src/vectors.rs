@@ -81,14 +81,14 @@ fn grid(wrap_u: Wrap, wrap_v: Wrap) -> TableGrid {
 
 fn heights(grid: TableGrid, encoding: Encoding) -> Result<Vec<u8>, WriteError> {
     let mut writer = AssetWriter::new();
-    writer.add_height(&HeightTable { grid, values: &HEIGHTS }, encoding, Codec::Raw)?;
+    writer.add_table(HeightTable { grid, values: &HEIGHTS }.encode(encoding)?, Codec::Raw)?;
     writer.finish()
 }
 
 fn constant() -> Result<Vec<u8>, WriteError> {
     let grid = TableGrid { length_unit: LengthUnit::Kilometre, ..grid(Wrap::Clamp, Wrap::Clamp) };
     let mut writer = AssetWriter::new();
-    writer.add_height(&HeightTable { grid, values: &[7.3; 6] }, Encoding::U8, Codec::Raw)?;
+    writer.add_table(HeightTable { grid, values: &[7.3; 6] }.encode(Encoding::U8)?, Codec::Raw)?;
     writer.finish()
 }
 
@@ -98,7 +98,7 @@ fn extremes() -> Result<Vec<u8>, WriteError> {
     let values = [MAX_ELEVATION, 0.0, -MAX_ELEVATION];
     let mut writer = AssetWriter::new();
     let table = HorizonTable { grid, directions: 3, radius: 1e-3, values: &values };
-    writer.add_horizon(&table, Encoding::F32, Codec::Raw)?;
+    writer.add_table(table.encode(Encoding::F32)?, Codec::Raw)?;
     writer.finish()
 }
 
@@ -112,8 +112,8 @@ fn directional(encoding: Encoding, codec: Codec) -> Result<Vec<u8>, WriteError> 
     let distances = texels(|k, _, row| k + row / 4.0);
     let (directions, radius) = (4, 8.0);
     let mut writer = AssetWriter::new();
-    writer.add_horizon(&HorizonTable { grid, directions, radius, values: &elevations }, encoding, codec)?;
-    writer.add_distance(&DistanceTable { grid, directions, radius, values: &distances }, encoding, codec)?;
+    writer.add_table(HorizonTable { grid, directions, radius, values: &elevations }.encode(encoding)?, codec)?;
+    writer.add_table(DistanceTable { grid, directions, radius, values: &distances }.encode(encoding)?, codec)?;
     writer.provenance("{\"made_by\":\"barchan vectors\"}")?;
     writer.finish()
 }
@@ -122,7 +122,7 @@ fn directional(encoding: Encoding, codec: Codec) -> Result<Vec<u8>, WriteError> 
 fn with_note(critical: bool) -> Result<Vec<u8>, WriteError> {
     let grid = grid(Wrap::Repeat, Wrap::Repeat);
     let mut writer = AssetWriter::new();
-    writer.add_height(&HeightTable { grid, values: &HEIGHTS }, Encoding::F16, Codec::Raw)?;
+    writer.add_table(HeightTable { grid, values: &HEIGHTS }.encode(Encoding::F16)?, Codec::Raw)?;
     let kind = SectionKind(*b"NOTE");
     let note = RawSection { kind, critical, version: 3, descriptor: b"text/plain", payload: b"dunes" };
     writer.raw_section(&note, Codec::Raw)?;

@@ -20,7 +20,7 @@ fn small_file() -> Vec<u8> {
     let values = [0.1, 0.2, 0.3, 0.4, -0.1, -0.2, 1.0, 1.1];
     let mut writer = AssetWriter::new();
     let table = HorizonTable { grid, directions: 2, radius: 3.0, values: &values };
-    writer.add_horizon(&table, Encoding::F16, Codec::Raw).unwrap().provenance("{}").unwrap();
+    writer.add_table(table.encode(Encoding::F16).unwrap(), Codec::Raw).unwrap().provenance("{}").unwrap();
     writer.finish().unwrap()
 }
 

@@ -29,9 +29,9 @@ fn every_encoding_codec_and_edge_reads_back_within_its_error() {
                 let horizon = HorizonTable { grid, directions, radius, values: &elevations };
                 let distance = DistanceTable { grid, directions, radius, values: &distances };
                 let heights = HeightTable { grid, values: &elevations[..15] };
-                writer.add_height(&heights, encoding, codec).unwrap();
-                writer.add_horizon(&horizon, encoding, codec).unwrap();
-                writer.add_distance(&distance, encoding, codec).unwrap();
+                writer.add_table(heights.encode(encoding).unwrap(), codec).unwrap();
+                writer.add_table(horizon.encode(encoding).unwrap(), codec).unwrap();
+                writer.add_table(distance.encode(encoding).unwrap(), codec).unwrap();
                 let file = writer.finish().unwrap();
                 assert_eq!(validate(&file, &Limits::default()), []);
                 check(&file, &elevations, &distances, wrap);
@@ -92,7 +92,7 @@ fn the_codec_changes_the_bytes_but_not_the_identity() {
     let write = |codec| {
         let mut writer = AssetWriter::new();
         let table = HeightTable { grid: grid(128, 64, Wrap::Repeat), values: &heights };
-        writer.add_height(&table, Encoding::U8, codec).unwrap().provenance("{}").unwrap();
+        writer.add_table(table.encode(Encoding::U8).unwrap(), codec).unwrap().provenance("{}").unwrap();
         writer.finish().unwrap()
     };
     let (raw, zstd) = (write(Codec::Raw), write(Codec::Zstd));
@@ -108,7 +108,7 @@ fn the_codec_changes_the_bytes_but_not_the_identity() {
 fn zstd_that_does_not_help_is_left_out() {
     let mut writer = AssetWriter::new();
     let table = HeightTable { grid: grid(3, 1, Wrap::Clamp), values: &[0.0, 1.0, 5.0] };
-    writer.add_height(&table, Encoding::F16, Codec::Zstd).unwrap();
+    writer.add_table(table.encode(Encoding::F16).unwrap(), Codec::Zstd).unwrap();
     let file = writer.finish().unwrap();
     assert_eq!(Asset::open(&file).unwrap().section(SectionKind::HEIGHT).unwrap().codec(), Some(Codec::Raw));
 }

@@ -1,4 +1,4 @@
-//! The sweep against the reference: every example shape, and a height map if one is given. A markdown table on stdout.
+//! The sweep against the reference: every example shape, white noise, and a height map if one is given. A markdown table on stdout.
 //!
 //! ```text
 //! cargo run --release -p barchan-bakers --example agreement -- \
@@ -16,7 +16,7 @@ use std::time::Instant;
 
 use barchan_bakers::horizon::{self, HorizonMap, HorizonParams, reference};
 use barchan_bakers::{BakeError, Exec};
-use barchan_field::{Edge, Grid, HeightField, LengthUnit, Shape, Spacing};
+use barchan_field::{Edge, FieldError, Grid, HeightField, LengthUnit, Shape, Spacing};
 use barchan_import::{HeightMapOptions, read_height_map};
 use barchan_metrics::ErrorStats;
 
@@ -27,6 +27,7 @@ const DIRECTIONS: [u32; 2] = [32, 17];
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let mut fields = shapes()?;
+    fields.push(("white noise".to_owned(), white_noise()?));
     fields.extend(height_map(&arguments)?);
     println!("Every texel and every direction of {DIRECTIONS:?}; default radius; rates of one thread.\n");
     println!("| field | grid | RMS | maximum | sweep | reference | faster |");
@@ -45,6 +46,19 @@ fn shapes() -> Result<Vec<(String, HeightField)>, Box<dyn Error>> {
         Ok((shape.name().to_owned(), shape.rasterize(grid)?))
     };
     examples.map(rasterize).collect()
+}
+
+/// The sweep's worst case: heights of 0 to 4 texels, each texel by itself.
+fn white_noise() -> Result<HeightField, FieldError> {
+    let mut state = 0_u64;
+    let mut next = || {
+        // Knuth's MMIX generator; its upper bits are the random ones.
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        4.0 * (state >> 40) as f32 / (1 << 24) as f32
+    };
+    let grid =
+        Grid { width: SIZE, height: SIZE, spacing: Spacing::UNIT, unit: LengthUnit::SceneUnit, edge: Edge::Wrap };
+    HeightField::new(grid, (0..grid.texels()).map(|_| next()).collect())
 }
 
 fn height_map(arguments: &[String]) -> Result<Option<(String, HeightField)>, Box<dyn Error>> {

@@ -28,10 +28,16 @@ pub(crate) enum Command {
     /// Bake a recipe or a height map into a .barchan file
     Bake(BakeArguments),
     /// Show what a .barchan file holds
+    #[command(after_help = "Examples:
+  barchan inspect dunes.barchan
+  barchan inspect dunes.barchan --json | jq .provenance.horizon.accuracy")]
     Inspect(FileArguments),
     /// Write a table's values as text, CSV, NPY, PNG or EXR
     Dump(DumpArguments),
     /// Check every byte of a .barchan file
+    #[command(after_help = "Examples:
+  barchan validate dunes.barchan
+  barchan validate dunes.barchan --json | jq .findings")]
     Validate(FileArguments),
     /// Compare two .barchan files value by value
     Compare(CompareArguments),
@@ -168,6 +174,9 @@ pub(crate) enum DumpFormat {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  barchan compare dunes.barchan old.barchan
+  barchan compare dunes.barchan old.barchan --tolerance 0.1")]
 pub(crate) struct CompareArguments {
     /// The first .barchan file
     pub(crate) a: PathBuf,

@@ -27,19 +27,9 @@ impl Table {
         }
     }
 
-    /// Its name on the command line and in reports.
+    /// Its name on the command line and in reports: that of its section.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Height => "height",
-            Self::Horizon => "horizon",
-            Self::Distance => "distance",
-        }
-    }
-
-    /// The table of that name.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|table| table.name() == name)
+        self.kind().name().expect("the sections of tables have names")
     }
 }

@@ -1,7 +1,7 @@
 //! The run-time equations on the CPU, one file per technique, with the plain baseline a user would pick instead.
 //!
-//! Everything here reads baked tables through `barchan_asset`'s views, as a shader would, in f32 where a shader has f32.
-//! What it is fed it treats as *the* surface: it knows nothing of source files, recipes or bakers.
+//! Everything here reads baked tables through `barchan_asset`'s views: values are decoded in f32, as a shader decodes
+//! them, and computed with in f64, so that what differs from the traced truth is the table's doing. What it is fed it treats as *the* surface: it knows nothing of source files, recipes or bakers.
 //!
 //! # Conventions
 //!

@@ -1,8 +1,6 @@
 //! Values to stored bytes, with the error that costs.
 
 use core::ops::RangeInclusive;
-use core::str::FromStr;
-use std::string::String;
 use std::vec::Vec;
 
 use super::quantiser::Quantiser;
@@ -35,12 +33,6 @@ impl Encoding {
         }
     }
 
-    /// The encoding with that [`Self::name`].
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|encoding| encoding.name() == name)
-    }
-
     /// The texel format that stores it.
     #[must_use]
     pub fn format(self) -> Format {
@@ -52,24 +44,10 @@ impl Encoding {
     }
 }
 
-impl FromStr for Encoding {
-    type Err = EncodeError;
-
-    fn from_str(name: &str) -> Result<Self, EncodeError> {
-        Self::from_name(name).ok_or_else(|| EncodeError::Unknown { found: name.into() })
-    }
-}
-
 /// Why values could not be encoded.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EncodeError {
-    /// Not the name of an encoding.
-    #[error("encoding is \"{found}\"; f32, f16 and u8 are accepted")]
-    Unknown {
-        /// The name.
-        found: String,
-    },
     /// The number of values does not follow from the extent.
     #[error("there are {found} values; the extent asks for {expected}")]
     Count {

@@ -3,9 +3,9 @@
 use std::vec;
 use std::vec::Vec;
 
-use super::encode::{EncodeError, Encoding};
+use super::encode::EncodeError;
 use super::identity::IdentityHasher;
-use super::tables::{DistanceTable, HeightTable, HorizonTable, TextureTable};
+use super::tables::TextureTable;
 use crate::asset::{
     FILE_SIZE_AT, HEADER_BYTES, HEADER_CRC_AT, IDENTITY_AT, MAGIC, MAJOR_AT, MINOR_AT, SECTION_COUNT_AT, table_end,
 };
@@ -20,15 +20,9 @@ const ZSTD_LEVEL: i32 = 9;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum WriteError {
-    /// Values that cannot be encoded.
-    #[error("section {kind}: {error}")]
-    Encode {
-        /// The section's kind.
-        kind: SectionKind,
-        /// What is wrong with them.
-        #[source]
-        error: EncodeError,
-    },
+    /// Values that the encoding cannot hold.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
     /// The kind is already there.
     #[error("section {kind} was added twice; kinds are unique within a file")]
     Duplicate {
@@ -121,54 +115,6 @@ impl AssetWriter {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
-    }
-
-    /// Encodes and adds a height table.
-    ///
-    /// # Errors
-    /// What [`HeightTable::encode`] and [`Self::add_table`] refuse.
-    pub fn add_height(
-        &mut self,
-        table: &HeightTable<'_>,
-        encoding: Encoding,
-        codec: Codec,
-    ) -> Result<&mut Self, WriteError> {
-        self.add_encoded(SectionKind::HEIGHT, table.encode(encoding), codec)
-    }
-
-    /// Encodes and adds a table of horizon elevations.
-    ///
-    /// # Errors
-    /// What [`HorizonTable::encode`] and [`Self::add_table`] refuse.
-    pub fn add_horizon(
-        &mut self,
-        table: &HorizonTable<'_>,
-        encoding: Encoding,
-        codec: Codec,
-    ) -> Result<&mut Self, WriteError> {
-        self.add_encoded(SectionKind::HORIZON, table.encode(encoding), codec)
-    }
-
-    /// Encodes and adds a table of horizon distances.
-    ///
-    /// # Errors
-    /// What [`DistanceTable::encode`] and [`Self::add_table`] refuse.
-    pub fn add_distance(
-        &mut self,
-        table: &DistanceTable<'_>,
-        encoding: Encoding,
-        codec: Codec,
-    ) -> Result<&mut Self, WriteError> {
-        self.add_encoded(SectionKind::DISTANCE, table.encode(encoding), codec)
-    }
-
-    fn add_encoded(
-        &mut self,
-        kind: SectionKind,
-        table: Result<TextureTable, EncodeError>,
-        codec: Codec,
-    ) -> Result<&mut Self, WriteError> {
-        self.add_table(table.map_err(|error| WriteError::Encode { kind, error })?, codec)
     }
 
     /// Adds a table as a critical section. [`Codec::Zstd`] is used only where it makes the section smaller.
