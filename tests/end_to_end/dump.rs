@@ -2,7 +2,7 @@
 
 use std::io::Cursor;
 
-use barchan_bakers::horizon::{HorizonParams, HorizonPoint, reference};
+use barchan_bakers::horizon::{Azimuths, HorizonParams, HorizonPoint, Method, reference};
 use barchan_field::{Edge, Grid, HeightField, LengthUnit, Spacing};
 use exr::prelude::{FlatSamples, ReadChannels, ReadLayers};
 use image::{ImageFormat, ImageReader};
@@ -26,7 +26,12 @@ fn truth(directions: u32) -> Vec<HorizonPoint> {
     let spacing = Spacing::new(0.5, 0.75).unwrap();
     let grid = Grid { width: WIDTH, height: HEIGHT, spacing, unit: LengthUnit::SceneUnit, edge: Edge::Wrap };
     let field = HeightField::new(grid, noise(WIDTH as usize, HEIGHT as usize)).unwrap();
-    let params = HorizonParams { directions, radius: RADIUS, distance: true };
+    let params = HorizonParams {
+        azimuths: Azimuths::full_circle(directions),
+        radius: RADIUS,
+        distance: true,
+        method: Method::default(),
+    };
     let texels = (0..HEIGHT).flat_map(|row| (0..WIDTH).map(move |column| (column, row)));
     (0..directions)
         .flat_map(|direction| texels.clone().map(move |(column, row)| (direction, column, row)))

@@ -3,7 +3,7 @@
 #![allow(missing_docs, reason = "criterion's macros write public functions")]
 
 use barchan_bakers::Exec;
-use barchan_bakers::horizon::{self, HorizonParams, reference};
+use barchan_bakers::horizon::{self, Azimuths, HorizonParams, Method, reference};
 use barchan_field::{Edge, Grid, HeightField, LengthUnit, Shape, Spacing};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 
@@ -29,7 +29,12 @@ fn horizons(criterion: &mut Criterion) {
             for &size in sizes {
                 let field = field(shape(name), size);
                 let radius = HorizonParams::default_radius(field.grid());
-                let params = HorizonParams { directions: DIRECTIONS, radius, distance: true };
+                let params = HorizonParams {
+                    azimuths: Azimuths::full_circle(DIRECTIONS),
+                    radius,
+                    distance: true,
+                    method: Method::default(),
+                };
                 group.throughput(Throughput::Elements(u64::from(size * size * DIRECTIONS)));
                 group.bench_with_input(BenchmarkId::new(baker, size), &field, |bencher, field| {
                     bencher.iter(|| match baker {

@@ -14,7 +14,7 @@ use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
 
-use barchan_bakers::horizon::{self, HorizonMap, HorizonParams, reference};
+use barchan_bakers::horizon::{self, Azimuths, HorizonMap, HorizonParams, Method, reference};
 use barchan_bakers::{BakeError, Exec};
 use barchan_field::{Edge, FieldError, Grid, HeightField, LengthUnit, Shape, Spacing};
 use barchan_import::{HeightMapOptions, read_height_map};
@@ -83,7 +83,12 @@ fn row(name: &str, field: &HeightField) -> Result<String, Box<dyn Error>> {
     let mut errors = ErrorStats::default();
     let (mut sweep_seconds, mut reference_seconds) = (0.0, 0.0);
     for directions in DIRECTIONS {
-        let params = HorizonParams { directions, radius: HorizonParams::default_radius(field.grid()), distance: true };
+        let params = HorizonParams {
+            azimuths: Azimuths::full_circle(directions),
+            radius: HorizonParams::default_radius(field.grid()),
+            distance: true,
+            method: Method::default(),
+        };
         let (swept, seconds) = timed(|| horizon::bake(field, &params, &exec))?;
         sweep_seconds += seconds;
         let (expected, seconds) = timed(|| reference::bake(field, &params, &exec))?;

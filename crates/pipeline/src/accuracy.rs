@@ -28,10 +28,10 @@ impl HorizonAccuracy {
     /// Compares a map, and its stored form, with the reference.
     pub(crate) fn measure(field: &HeightField, map: &HorizonMap, stored: &HorizonView<'_>) -> Self {
         let texels = field.grid().texels() as u64;
-        let samples = sample_count(field, map.params.radius).min(texels * u64::from(map.params.directions));
+        let samples = sample_count(field, map.params.radius).min(texels * u64::from(map.params.directions()));
         let (mut sweep, mut decoded) = (ErrorStats::default(), ErrorStats::default());
         for sample in 0..samples {
-            let direction = (scramble(2 * sample) % u64::from(map.params.directions)) as u32;
+            let direction = (scramble(2 * sample) % u64::from(map.params.directions())) as u32;
             let texel = scramble(2 * sample + 1) % texels;
             let width = u64::from(field.grid().width);
             let (column, row) = ((texel % width) as u32, (texel / width) as u32);

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use barchan_asset::{Asset, AssetWriter, Codec, DistanceTable, HeightTable, HorizonTable, HorizonView};
 use barchan_asset::{EncodeError, LengthUnit as AssetUnit, TableGrid, TextureTable, Wrap};
-use barchan_bakers::horizon::{self, HorizonMap, HorizonParams};
+use barchan_bakers::horizon::{self, Azimuths, HorizonMap, HorizonParams, Method};
 use barchan_bakers::{BakeError, Exec};
 use barchan_field::{Edge, Grid, HeightField, LengthUnit};
 
@@ -84,7 +84,8 @@ fn bake_horizon(plan: &Plan, loaded: &Loaded, exec: &Exec<'_>) -> Result<Horizon
 
 fn horizon_params(recipe: &Recipe, grid: &Grid, distance: bool) -> HorizonParams {
     let radius = recipe.horizon.radius.unwrap_or_else(|| HorizonParams::default_radius(grid));
-    HorizonParams { directions: recipe.horizon.directions, radius, distance }
+    let azimuths = Azimuths::full_circle(recipe.horizon.directions);
+    HorizonParams { azimuths, radius, distance, method: Method::default() }
 }
 
 fn encode_tables(
@@ -101,7 +102,7 @@ fn encode_tables(
         tables.push(table.encode(height.encoding.into()).map_err(fail(Table::Height))?);
     }
     let Some(map) = map else { return Ok(tables) };
-    let HorizonParams { directions, radius, .. } = map.params;
+    let (directions, radius) = (map.params.directions(), map.params.radius);
     if plan.bakes(Table::Horizon) {
         let table = HorizonTable { grid, directions, radius, values: &map.elevation_radians };
         tables.push(table.encode(horizon.encoding.into()).map_err(fail(Table::Horizon))?);
@@ -141,7 +142,7 @@ fn measure(field: &HeightField, map: Option<&HorizonMap>, tables: &[TextureTable
     let stored = tables.iter().find(|table| table.kind() == Table::Horizon.kind());
     let view = stored.and_then(|table| HorizonView::new(*table.descriptor(), table.payload()).ok());
     let accuracy = view.map(|view| HorizonAccuracy::measure(field, map, &view));
-    Some(HorizonProvenance::new(map.params.directions, map.params.radius, accuracy))
+    Some(HorizonProvenance::new(map.params.directions(), map.params.radius, accuracy))
 }
 
 fn provenance(plan: &Plan, loaded: &Loaded, horizon: Option<HorizonProvenance>) -> Provenance {

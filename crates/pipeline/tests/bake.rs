@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Mutex;
 
 use barchan_asset::{Asset, HorizonView, Limits, Section, validate};
-use barchan_bakers::horizon::{HorizonParams, reference};
+use barchan_bakers::horizon::{Azimuths, HorizonParams, Method, reference};
 use barchan_field::shapes::FractalTerrain;
 use barchan_field::{Edge, Grid, HeightField, LengthUnit, Shape, Spacing};
 use barchan_pipeline::{
@@ -99,7 +99,12 @@ fn the_error_that_is_claimed_is_the_one_against_the_reference() {
     let view = HorizonView::new(horizon.texture().unwrap(), &payload).unwrap();
     let claimed = report.horizon.unwrap().accuracy.unwrap();
 
-    let params = HorizonParams { directions: DIRECTIONS, radius: RADIUS, distance: false };
+    let params = HorizonParams {
+        azimuths: Azimuths::full_circle(DIRECTIONS),
+        radius: RADIUS,
+        distance: false,
+        method: Method::default(),
+    };
     let field = field();
     let places = (0..DIRECTIONS).flat_map(|k| (0..20).flat_map(move |row| (0..24).map(move |column| (k, column, row))));
     let errors = places.map(|(k, column, row)| {

@@ -1,37 +1,6 @@
-//! The azimuths of a horizon map and the way a ray moves over the texel grid.
+//! The way a ray moves over the texel grid.
 
 use barchan_field::{Grid, Spacing};
-
-/// Cosine and sine of azimuth `2π index / count`, exact at multiples of 90° and equal to each other at odd multiples
-/// of 45°, so that rays along the axes and diagonals stay on texel centres at any distance.
-#[must_use]
-pub fn azimuth_vector(index: u32, count: u32) -> (f64, f64) {
-    let (index, count) = (u64::from(index), u64::from(count));
-    let quadrant = (4 * index / count) % 4;
-    let part = (4 * index) % count;
-    let (cos, sin) = first_quadrant(part, count);
-    match quadrant {
-        0 => (cos, sin),
-        1 => (-sin, cos),
-        2 => (-cos, -sin),
-        _ => (sin, -cos),
-    }
-}
-
-/// Cosine and sine of `90° · part / count`, folded at 45° so that the two halves mirror each other to the bit.
-fn first_quadrant(part: u64, count: u64) -> (f64, f64) {
-    let angle = |part: u64| std::f64::consts::FRAC_PI_2 * part as f64 / count as f64;
-    if part == 0 {
-        (1.0, 0.0)
-    } else if 2 * part == count {
-        (std::f64::consts::FRAC_1_SQRT_2, std::f64::consts::FRAC_1_SQRT_2)
-    } else if 2 * part < count {
-        (libm::cos(angle(part)), libm::sin(angle(part)))
-    } else {
-        let mirrored = count - part;
-        (libm::sin(angle(mirrored)), libm::cos(angle(mirrored)))
-    }
-}
 
 /// How far a ray moves over the grid per unit of length: columns, and rows counted downwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,8 +10,7 @@ pub(crate) struct RayStep {
 }
 
 impl RayStep {
-    pub(crate) fn new(index: u32, count: u32, spacing: Spacing) -> Self {
-        let (cos, sin) = azimuth_vector(index, count);
+    pub(crate) fn new((cos, sin): (f64, f64), spacing: Spacing) -> Self {
         // v points up the picture, rows are counted downwards.
         Self { columns: cos / spacing.u(), rows: -sin / spacing.v() }
     }
@@ -110,23 +78,7 @@ impl Axis {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn quarter_turns_are_exact() {
-        let turns: Vec<_> = (0..4).map(|k| azimuth_vector(k, 4)).collect();
-        assert_eq!(turns, [(1.0, 0.0), (-0.0, 1.0), (-1.0, -0.0), (0.0, -1.0)]);
-    }
-
-    #[test]
-    fn every_vector_has_unit_length_and_the_azimuth_asked_for() {
-        for count in [1, 2, 3, 5, 7, 8, 16, 17, 32, 360] {
-            for k in 0..count {
-                let (cos, sin) = azimuth_vector(k, count);
-                let azimuth = std::f64::consts::TAU * f64::from(k) / f64::from(count);
-                assert!((cos - azimuth.cos()).abs() < 1e-15 && (sin - azimuth.sin()).abs() < 1e-15, "{k}/{count}");
-            }
-        }
-    }
+    use crate::horizon::Azimuths;
 
     #[test]
     fn diagonals_keep_to_texel_centres() {
@@ -138,7 +90,7 @@ mod tests {
             edge: barchan_field::Edge::Clamp,
         };
         for k in [1, 3, 5, 7] {
-            assert_eq!(Octant::new(RayStep::new(k, 8, Spacing::UNIT), &grid).tilt, 1.0);
+            assert_eq!(Octant::new(RayStep::new(Azimuths::full_circle(8).vector(k), Spacing::UNIT), &grid).tilt, 1.0);
         }
     }
 }

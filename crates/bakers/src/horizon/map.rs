@@ -72,7 +72,7 @@ impl HorizonMap {
 }
 
 fn bounded_values(texels: usize, params: &HorizonParams) -> Result<usize, BakeError> {
-    let values = texels as u64 * u64::from(params.directions);
+    let values = texels as u64 * u64::from(params.directions());
     let bytes = values * if params.distance { 8 } else { 4 };
     if bytes > MAX_MAP_BYTES {
         return Err(BakeError::TooLarge { what: "the horizon map", bytes, limit: MAX_MAP_BYTES });

@@ -23,6 +23,7 @@
 //! N azimuths 2πk/N, k = 0 along +u, counter-clockwise as seen in the picture; v points up the picture. φ̂ is a unit
 //! vector in lengths, not in texels: with texels twice as high as wide, 45° is not the texel diagonal.
 
+mod azimuths;
 mod direction;
 mod hull;
 mod map;
@@ -34,9 +35,9 @@ mod sweep;
 
 use barchan_field::HeightField;
 
-pub use direction::azimuth_vector;
+pub use azimuths::Azimuths;
 pub use map::{HorizonMap, HorizonPoint};
-pub use params::{HorizonParams, MAX_DIRECTIONS, MAX_RADIUS_TEXELS};
+pub use params::{HorizonParams, MAX_DIRECTIONS, MAX_RADIUS_TEXELS, Method};
 
 use crate::{BakeError, Exec};
 
@@ -46,6 +47,9 @@ pub const ALGORITHM: &str = "horizon-sweep-1";
 /// Bakes by line sweeps: the same bytes for any number of threads. Above the [`mod@reference`] by rounding at most;
 /// how far below it is what the README and each asset's provenance report.
 pub fn bake(field: &HeightField, params: &HorizonParams, exec: &Exec) -> Result<HorizonMap, BakeError> {
+    if params.method == Method::Exact {
+        return reference::bake(field, params, exec);
+    }
     HorizonMap::fill(field, params, exec, |direction, mut layer| {
         sweep::bake_layer(field, params, direction, &mut layer);
     })

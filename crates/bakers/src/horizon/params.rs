@@ -2,6 +2,7 @@
 
 use barchan_field::{Edge, Grid, HeightField};
 
+use super::Azimuths;
 use crate::BakeError;
 
 /// The most azimuths a map may have: as many as a file can hold.
@@ -10,18 +11,53 @@ pub const MAX_DIRECTIONS: u32 = barchan_asset::MAX_LAYERS;
 /// The farthest a ray may go, in texels of the finer axis: enough to cross a 16k tile eight times.
 pub const MAX_RADIUS_TEXELS: f64 = (1 << 17) as f64;
 
-/// Azimuths and search radius of a horizon map.
+/// How a horizon map is baked: each method is a trade of exactness for speed, which `cargo xtask bench` measures.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// For previews: the fastest.
+    Sweep,
+    /// The default: what the eye cannot tell from exact.
+    #[default]
+    Accurate,
+    /// Equal to the [`reference`](mod@super::reference) but for the rounding of f32.
+    Exact,
+}
+
+impl Method {
+    /// Every method, fastest first.
+    pub const ALL: [Self; 3] = [Self::Sweep, Self::Accurate, Self::Exact];
+
+    /// Its name in recipes, on the command line and in provenance.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sweep => "sweep",
+            Self::Accurate => "accurate",
+            Self::Exact => "exact",
+        }
+    }
+}
+
+/// Azimuths, search radius and method of a horizon map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HorizonParams {
-    /// Azimuths, evenly spaced, the first along +u, counter-clockwise: 1 to [`MAX_DIRECTIONS`].
-    pub directions: u32,
+    /// The azimuths: 1 to [`MAX_DIRECTIONS`].
+    pub azimuths: Azimuths,
     /// How far a ray looks, in the field's length unit, measured along the base plane. Positive.
     pub radius: f64,
     /// Whether the distance to the horizon point is kept. Only curved surfaces and soft shadows ask for it.
     pub distance: bool,
+    /// How exactly, at what speed.
+    pub method: Method,
 }
 
 impl HorizonParams {
+    /// How many azimuths.
+    #[must_use]
+    pub fn directions(&self) -> u32 {
+        self.azimuths.count()
+    }
+
     /// The radius taken when none is asked for: the diagonal of a clamped field, from which everything is seen; one
     /// longer side of a tile that wraps, after which it repeats.
     #[must_use]
@@ -42,13 +78,7 @@ impl HorizonParams {
                 needed: "a horizon needs at least 2 texels",
             });
         }
-        if !(1..=MAX_DIRECTIONS).contains(&self.directions) {
-            return Err(BakeError::Parameter {
-                name: "directions",
-                value: self.directions.to_string(),
-                accepted: "1 to 2048 azimuths are accepted",
-            });
-        }
+        self.azimuths.check()?;
         self.check_radius(grid)
     }
 

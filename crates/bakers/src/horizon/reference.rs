@@ -24,7 +24,7 @@ pub fn bake(field: &HeightField, params: &HorizonParams, exec: &Exec) -> Result<
 /// The horizon of one texel in one direction. `params` must have been accepted for this field.
 #[must_use]
 pub fn horizon(field: &HeightField, params: &HorizonParams, direction: u32, column: u32, row: u32) -> HorizonPoint {
-    let step = RayStep::new(direction, params.directions, field.grid().spacing);
+    let step = RayStep::new(params.azimuths.vector(direction), field.grid().spacing);
     let origin = (i64::from(column), i64::from(row));
     let origin_height = f64::from(field.texel(origin.0, origin.1));
     let mut best = HorizonPoint::NONE;

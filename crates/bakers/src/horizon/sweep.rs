@@ -22,7 +22,7 @@ use super::relief::Relief;
 
 /// Bakes one direction of a map.
 pub(crate) fn bake_layer(field: &HeightField, params: &HorizonParams, direction: u32, layer: &mut LayerMut) {
-    let step = RayStep::new(direction, params.directions, field.grid().spacing);
+    let step = RayStep::new(params.azimuths.vector(direction), field.grid().spacing);
     let relief = Relief::new(field, Octant::new(step, field.grid()), MARGIN);
     let ray = Ray::new(&relief, params.radius);
     let profiles = [Profile::new(&ray), Profile::new(&ray), Profile::new(&ray)];

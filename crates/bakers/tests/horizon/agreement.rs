@@ -20,7 +20,7 @@ fn errors(field: &HeightField, map: &HorizonMap, stride: usize) -> ErrorStats {
         error
     };
     ErrorStats::of(
-        (0..params.directions).flat_map(|k| texels.clone().map(move |t| (k, t))).map(|(k, t)| of_texel(k, t)),
+        (0..params.directions()).flat_map(|k| texels.clone().map(move |t| (k, t))).map(|(k, t)| of_texel(k, t)),
     )
 }
 

@@ -87,7 +87,7 @@ impl Symmetry {
 
     fn differences(&self, map: &HorizonMap, moved: &HorizonMap) -> Vec<(u32, u32, u32)> {
         let Grid { width, height, .. } = map.grid;
-        let count = map.params.directions;
+        let count = map.params.directions();
         let mut differences = Vec::new();
         for direction in 0..count {
             for (column, row) in (0..height).flat_map(|row| (0..width).map(move |column| (column, row))) {

@@ -1,7 +1,7 @@
 //! Fields, and both bakers' maps of them.
 
 use barchan_bakers::Exec;
-use barchan_bakers::horizon::{self, HorizonMap, HorizonParams, reference};
+use barchan_bakers::horizon::{self, Azimuths, HorizonMap, HorizonParams, Method, reference};
 use barchan_field::{Edge, Grid, HeightField, LengthUnit, Spacing};
 
 pub(crate) fn grid((width, height): (u32, u32), (spacing_u, spacing_v): (f64, f64), edge: Edge) -> Grid {
@@ -21,7 +21,7 @@ pub(crate) fn fill(grid: Grid, height: impl Fn(u32, u32) -> f32) -> HeightField 
 }
 
 pub(crate) fn params(directions: u32, radius: f64) -> HorizonParams {
-    HorizonParams { directions, radius, distance: true }
+    HorizonParams { azimuths: Azimuths::full_circle(directions), radius, distance: true, method: Method::default() }
 }
 
 pub(crate) fn sweep(field: &HeightField, params: &HorizonParams) -> HorizonMap {

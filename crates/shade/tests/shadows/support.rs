@@ -4,7 +4,7 @@ use barchan_asset::{
     Encoding, HeightTable, HeightView, HorizonTable, HorizonView, LengthUnit, TableGrid, TextureTable, Wrap,
 };
 use barchan_bakers::Exec;
-use barchan_bakers::horizon::{self, HorizonParams};
+use barchan_bakers::horizon::{self, Azimuths, HorizonParams, Method};
 use barchan_field::{Edge, Grid, HeightField, Spacing};
 use barchan_shade::{DirectionalLight, HorizonShadow, Surface};
 
@@ -47,7 +47,12 @@ pub(crate) struct Horizons(TextureTable);
 impl Horizons {
     /// The baked horizon of a field, in f32.
     pub(crate) fn baked(field: &HeightField, directions: u32, radius: f64) -> Self {
-        let params = HorizonParams { directions, radius, distance: false };
+        let params = HorizonParams {
+            azimuths: Azimuths::full_circle(directions),
+            radius,
+            distance: false,
+            method: Method::default(),
+        };
         let map = horizon::bake(field, &params, &Exec::new(1).unwrap()).unwrap();
         Self::of(field.grid(), directions, radius, &map.elevation_radians)
     }
