@@ -1,7 +1,7 @@
 //! What would otherwise be a shell script: `cargo xtask --help`.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a tool for the terminal")]
 
-mod agreement;
+mod bench;
 mod run;
 mod samples;
 mod test;
@@ -22,7 +22,7 @@ struct Arguments {
 enum Task {
     /// Everything that must hold before a commit: formatting, lints, tidiness, tests, docs
     Test,
-    /// What the compiler cannot check: the crates' arrows, links in the docs, lints switched on
+    /// What the compiler cannot check: the crates' arrows, links in the docs, lints switched on, figures in the docs
     Tidy,
     /// Bake every sample and draw the pictures of the README into samples/gallery
     Samples,
@@ -30,8 +30,8 @@ enum Task {
     Goldens,
     /// Write the published vectors that are missing; one that exists is never changed
     Vectors,
-    /// Print the README's table: the horizon sweep against the exact horizon
-    Agreement,
+    /// Measure speed and error, write the records and the README's tables
+    Bench(bench::Options),
 }
 
 fn main() -> ExitCode {
@@ -41,7 +41,7 @@ fn main() -> ExitCode {
         Task::Samples => samples::samples(),
         Task::Goldens => test::goldens(),
         Task::Vectors => run::cargo("run -p barchan-asset --features write --example write_vectors"),
-        Task::Agreement => agreement::agreement(),
+        Task::Bench(options) => bench::bench(&options),
     };
     if let Err(error) = done {
         eprintln!("xtask: {error:#}");

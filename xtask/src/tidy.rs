@@ -8,10 +8,11 @@ use std::process::Command;
 use anyhow::{Context, Result, bail, ensure};
 use serde_json::Value;
 
+use crate::bench;
 use crate::run::{cargo_program, root};
 
 /// The crates and the crates of ours each may use; ARCHITECTURE.md says why. Tests and benches may use more.
-const ARROWS: [(&str, &[&str]); 9] = [
+const ARROWS: [(&str, &[&str]); 10] = [
     ("asset", &[]),
     ("bakers", &["asset", "field"]),
     ("cli", &["asset", "field", "import", "metrics", "pipeline", "shade"]),
@@ -20,6 +21,7 @@ const ARROWS: [(&str, &[&str]); 9] = [
     ("metrics", &[]),
     ("pipeline", &["asset", "bakers", "field", "import", "metrics"]),
     ("shade", &["asset"]),
+    ("study", &["asset", "bakers", "field", "metrics", "shade"]),
     ("xtask", &[]),
 ];
 
@@ -42,7 +44,7 @@ pub(crate) fn tidy() -> Result<()> {
     if !problems.is_empty() {
         bail!("not tidy:\n  {}", problems.join("\n  "));
     }
-    Ok(())
+    bench::check()
 }
 
 /// Arrows that the map does not have, crates it does not know, and crates that are gone.

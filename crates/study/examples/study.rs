@@ -1,0 +1,180 @@
+//! The program behind `cargo xtask bench`: measures, writes records and the README's tables, and checks one against the other.
+//!
+//! ```text
+//! cargo run --release -p barchan-study --example study -- measure [--quick] [--only bench,accuracy,shadow]
+//! cargo run -p barchan-study --example study -- render
+//! cargo run -p barchan-study --example study -- check
+//! ```
+
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program for the terminal")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+use barchan_bakers::Exec;
+use barchan_field::Spacing;
+use barchan_import::{HeightMapOptions, Integers, read_height_map};
+use barchan_study::bandwidth::{self, Bandwidth};
+use barchan_study::report::Block;
+use barchan_study::{
+    Machine, Record, RecordFile, Scale, Scene, Step, horizon_accuracy, horizon_shadow, horizon_speed, markdown, run,
+};
+use clap::{Parser, Subcommand};
+
+/// Where records are kept, from the workspace's root.
+const RECORDS: &str = "crates/study/records";
+/// Where a quick run leaves its own, which are worth nothing.
+const QUICK_RECORDS: &str = "target/study";
+/// The document whose blocks are filled.
+const DOCUMENT: &str = "README.md";
+
+#[derive(Parser)]
+#[command(about = "Error against run time")]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Measure, write records, print the tables and write them to the README
+    Measure {
+        /// A small run: records go to target/study and the README stays as it is
+        #[arg(long)]
+        quick: bool,
+        /// Measure only these, separated by commas: bench, accuracy, shadow
+        #[arg(long, value_delimiter = ',', value_parser = ["bench", "accuracy", "shadow"])]
+        only: Vec<String>,
+    },
+    /// Write the README's tables from the records there are
+    Render,
+    /// Fail if the README's tables are not those of the records
+    Check,
+}
+
+fn main() -> Result<()> {
+    match Arguments::parse().task {
+        Task::Measure { quick, only } => {
+            measure(if quick { Scale::Quick } else { Scale::Full }, &only)?;
+            if quick { Ok(()) } else { render() }
+        }
+        Task::Render => render(),
+        Task::Check => check(),
+    }
+}
+
+/// The workspace's root, two folders above this package.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// What fills a file of records, on so many cores.
+type Measure = fn(Scale, usize) -> Result<Vec<Record>>;
+
+fn measure(scale: Scale, only: &[String]) -> Result<()> {
+    let machine = Machine::this();
+    let folder = root().join(if scale == Scale::Full { RECORDS } else { QUICK_RECORDS });
+    fs::create_dir_all(&folder).with_context(|| format!("{} cannot be made", folder.display()))?;
+    let wanted = |block: Block| only.is_empty() || only.iter().any(|name| name == block.name());
+    let studies: [(Block, Measure); 3] = [(Block::Bench, speed), (Block::Accuracy, accuracy), (Block::Shadow, shadow)];
+    for (block, study) in studies {
+        if !wanted(block) {
+            continue;
+        }
+        eprintln!("\n> {}", block.name());
+        let csv = RecordFile { machine: machine.to_string(), records: study(scale, machine.cores)? }.to_csv()?;
+        let path = folder.join(block.name()).with_extension("csv");
+        fs::write(&path, &csv).with_context(|| format!("{} cannot be written", path.display()))?;
+        println!("{}\n", block.render(Some(&csv))?);
+    }
+    Ok(())
+}
+
+fn speed(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let (elements, rounds) = match scale {
+        Scale::Full => (bandwidth::ELEMENTS, 9),
+        Scale::Quick => (bandwidth::ELEMENTS >> 6, 3),
+    };
+    let mut threads = vec![1, cores];
+    threads.dedup();
+    let bandwidths: Vec<Bandwidth> =
+        threads.into_iter().map(|threads| Bandwidth::measure(threads, elements, rounds)).collect();
+    let mut records: Vec<Record> = bandwidths.iter().flat_map(Bandwidth::records).collect();
+    for heat in horizon_speed::heats(scale, cores) {
+        records.extend(horizon_speed::measure(&heat, &bandwidths, &mut announce)?);
+    }
+    Ok(records)
+}
+
+fn accuracy(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    let mut records = Vec::new();
+    for (study, scenes) in horizon_accuracy::parts(scale, &exec, terrain(scale)?)? {
+        records.extend(run(&study, &scenes, &mut announce)?);
+    }
+    Ok(records)
+}
+
+fn shadow(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    let (study, scenes) = horizon_shadow::parts(scale, &exec, terrain(scale)?)?;
+    Ok(horizon_shadow::measure(&study, &scenes, &mut announce)?)
+}
+
+/// Real terrain, as `samples/jacksboro.ron` describes it; a quick run does without.
+fn terrain(scale: Scale) -> Result<Vec<Scene>> {
+    if scale == Scale::Quick {
+        return Ok(Vec::new());
+    }
+    let options =
+        HeightMapOptions { integers: Integers::Raw, spacing: Spacing::new(74.0, 93.0)?, ..HeightMapOptions::default() };
+    let field = read_height_map(&root().join("samples/jacksboro.png"), &options)?.field;
+    Ok(vec![Scene { name: "jacksboro".to_owned(), field }])
+}
+
+fn announce(step: &Step<'_>) {
+    eprintln!("  {:>3}/{} {}", step.done + 1, step.total, step.what);
+}
+
+/// A block's markdown, from the records there are.
+fn rendered(block: Block) -> Result<String> {
+    let path = root().join(RECORDS).join(block.name()).with_extension("csv");
+    let csv = match fs::read_to_string(&path) {
+        Ok(text) => Some(text),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => None,
+        Err(error) => return Err(error).with_context(|| format!("{} cannot be read", path.display())),
+    };
+    block.render(csv.as_deref()).with_context(|| format!("{} cannot be shown", path.display()))
+}
+
+fn document() -> Result<(PathBuf, String)> {
+    let path = root().join(DOCUMENT);
+    let text = fs::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display()))?;
+    Ok((path, text))
+}
+
+fn render() -> Result<()> {
+    let (path, mut text) = document()?;
+    for block in Block::ALL {
+        text = markdown::with_block(&text, block.name(), &rendered(block)?)?;
+    }
+    fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))
+}
+
+fn check() -> Result<()> {
+    let (_, text) = document()?;
+    let mut stale = Vec::new();
+    for block in Block::ALL {
+        if markdown::block(&text, block.name())? != rendered(block)? {
+            stale.push(block.name());
+        }
+    }
+    if !stale.is_empty() {
+        bail!(
+            "{DOCUMENT} does not show the records of {}; `cargo xtask bench --render` writes what they say",
+            stale.join(", ")
+        );
+    }
+    Ok(())
+}

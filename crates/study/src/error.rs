@@ -1,0 +1,44 @@
+use barchan_asset::{DescriptorError, EncodeError};
+use barchan_bakers::BakeError;
+use barchan_field::FieldError;
+use thiserror::Error;
+
+/// Why a study cannot go on.
+#[derive(Debug, Error)]
+pub enum StudyError {
+    /// There is no scene of that name.
+    #[error("there is no scene `{name}`; {known} are known")]
+    Scene {
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: String,
+    },
+    /// A scene cannot be made.
+    #[error(transparent)]
+    Field(#[from] FieldError),
+    /// A baker refused.
+    #[error(transparent)]
+    Bake(#[from] BakeError),
+    /// A table cannot be stored.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
+    /// A stored table cannot be read.
+    #[error(transparent)]
+    Table(#[from] DescriptorError),
+    /// Text is not a setting.
+    #[error("`{text}` is not a setting; words like `method=sweep directions=32` are accepted")]
+    Setting {
+        /// The text.
+        text: String,
+    },
+    /// A file of records cannot be read or written.
+    #[error("records: {0}")]
+    Records(#[from] ::csv::Error),
+    /// A document has no place for a table.
+    #[error("the document has no lines `<!-- {name}:begin -->` and `<!-- {name}:end -->` in this order, once each")]
+    Markers {
+        /// The block's name.
+        name: String,
+    },
+}

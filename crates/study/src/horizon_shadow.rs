@@ -1,0 +1,261 @@
+//! End to end: the shadow that a shader decides from a stored horizon map, against the ray that asks the surface itself.
+//!
+//! # What is varied
+//!
+//! Azimuths of the map, its encoding, and the method of the bake, under lights at three elevations and at azimuths that
+//! some maps have baked (0°, 45°) and none has (the others). Each place is decided twice, by [`TracedShadow`] and by
+//! [`HorizonShadow`], which interpolates between texels and azimuths as the WGSL does.
+//!
+//! Places are counted apart: at texel centres the table itself is asked; between them its interpolation too, and a picture's
+//! pixels lie anywhere. The wrong share is over all lights of an elevation, `max` that under the worst of them.
+//!
+//! # What it costs
+//!
+//! A shader samples two layers of the table, each once: two fetches. The time of a test is the CPU twin's on decoded
+//! values, so it is the same for all encodings and is measured once per scene, beside that of tracing.
+
+use barchan_asset::{Encoding, HorizonView, TextureTable};
+use barchan_bakers::Exec;
+use barchan_bakers::horizon::{self, Azimuths, HorizonMap, HorizonParams, Method};
+use barchan_metrics::MaskDisagreement;
+use barchan_shade::{DirectionalLight, HorizonShadow, Pixels, Surface, TracedShadow};
+
+use crate::runner::{Observer, Study};
+use crate::sample::unit;
+use crate::timer::{Contestant, Pace, race};
+use crate::{Item, Quantity, Record, Scale, Scene, Setting, Stopwatch, StudyError, run, scenes, tables};
+
+/// Azimuths of the lights, degrees: baked by all maps, and by none.
+const AZIMUTHS: [f64; 6] = [0.0, 45.0, 78.5, 140.2, 203.9, 287.3];
+
+/// Elevations of the lights, degrees.
+const ELEVATIONS: [f64; 3] = [5.0, 15.0, 30.0];
+
+/// Texture samples per test: the two layers beside the light's azimuth.
+const FETCHES: u32 = 2;
+
+/// The study: directions × method, each in every encoding.
+pub struct Shadow<'a> {
+    /// How many azimuths maps have.
+    pub directions: &'static [u32],
+    /// How bakes run.
+    pub exec: &'a Exec<'a>,
+    /// How long tests are timed.
+    pub pace: Pace,
+}
+
+/// What rays decide.
+pub struct Truth {
+    radius: f64,
+    shadows: Vec<(DirectionalLight, f64, [Mask; 2])>,
+}
+
+/// Decisions at some places.
+struct Mask {
+    quantity: Quantity,
+    places: Vec<(f64, f64)>,
+    in_shadow: Vec<bool>,
+}
+
+/// The study and its scenes; `more` are further ones.
+///
+/// # Errors
+/// A scene that cannot be made.
+pub fn parts<'a>(scale: Scale, exec: &'a Exec<'a>, more: Vec<Scene>) -> Result<(Shadow<'a>, Vec<Scene>), StudyError> {
+    let (size, directions, seconds): (_, &[u32], _) = match scale {
+        Scale::Full => (256, &[8, 16, 32, 64], 1.0),
+        Scale::Quick => (32, &[8, 16], 0.01),
+    };
+    let scenes: Result<Vec<_>, _> =
+        ["reptile_skin", "dunes", "fractal_terrain"].map(|name| scenes::by_name(name, size)).into_iter().collect();
+    let study = Shadow { directions, exec, pace: Pace { seconds, max_rounds: 7 } };
+    Ok((study, scenes?.into_iter().chain(more).collect()))
+}
+
+/// Runs the study, then times one test by map and by ray on each scene.
+///
+/// # Errors
+/// A bake that is refused.
+pub fn measure(study: &Shadow<'_>, scenes: &[Scene], observe: &mut Observer<'_>) -> Result<Vec<Record>, StudyError> {
+    let mut records = run(study, scenes, observe)?;
+    for scene in scenes {
+        records.extend(time_tests(study, scene, observe)?);
+    }
+    Ok(records)
+}
+
+impl Study for Shadow<'_> {
+    type Setting = (u32, Method);
+    type Truth = Truth;
+
+    fn settings(&self) -> Vec<(u32, Method)> {
+        self.directions.iter().flat_map(|&count| Method::ALL.map(|method| (count, method))).collect()
+    }
+
+    fn truth(&self, scene: &Scene) -> Result<Truth, StudyError> {
+        let surface = tables::surface(&scene.field)?;
+        let radius = HorizonParams::default_radius(scene.field.grid());
+        let lights = ELEVATIONS.iter().flat_map(|&elevation| AZIMUTHS.map(|azimuth| (azimuth, elevation)));
+        let shadows = lights.map(|(azimuth, elevation)| {
+            let light = DirectionalLight::from_degrees(azimuth, elevation);
+            let traced = TracedShadow::new(&surface, &light, radius);
+            let mask = |(quantity, places): (Quantity, Vec<(f64, f64)>)| {
+                let in_shadow = places.iter().map(|&(x, y)| traced.in_shadow(x, y)).collect();
+                Mask { quantity, places, in_shadow }
+            };
+            (light, elevation, places(&surface).map(mask))
+        });
+        Ok(Truth { radius, shadows: shadows.collect() })
+    }
+
+    fn measure(
+        &self,
+        scene: &Scene,
+        truth: &Truth,
+        &(directions, method): &(u32, Method),
+    ) -> Result<Vec<Record>, StudyError> {
+        let watch = Stopwatch::start();
+        let map = bake(scene, truth.radius, (directions, method), self.exec)?;
+        let elapsed = watch.elapsed();
+        let bake_seconds = Some(elapsed.cpu_seconds.unwrap_or(elapsed.wall_seconds));
+        let mut records = Vec::new();
+        for encoding in Encoding::ALL {
+            let table = tables::horizon(&map, encoding)?;
+            let setting = setting(method, encoding, &table);
+            for (elevation, quantity, shares) in wrong_shares(&table, truth)? {
+                let mut record = Record::new("horizon", setting.clone().with("elevation", elevation), scene);
+                record.quantity = Some(quantity);
+                record.samples = Some(shares.iter().map(|share| share.total).sum());
+                record.wrong_share = Some(merged(&shares).rate());
+                record.max = shares.iter().map(MaskDisagreement::rate).max_by(f64::total_cmp);
+                record.bytes = Some(table.payload().len() as u64);
+                records.push(Record { bake_seconds, fetches: Some(FETCHES), ..record });
+            }
+        }
+        Ok(records)
+    }
+}
+
+fn bake(
+    scene: &Scene,
+    radius: f64,
+    (directions, method): (u32, Method),
+    exec: &Exec<'_>,
+) -> Result<HorizonMap, StudyError> {
+    let params = HorizonParams { azimuths: Azimuths::full_circle(directions), radius, distance: false, method };
+    Ok(horizon::bake(&scene.field, &params, exec)?)
+}
+
+fn setting(method: Method, encoding: Encoding, table: &TextureTable) -> Setting {
+    // A compact encoding may store fewer layers than azimuths.
+    let layers = table.descriptor().layers;
+    Setting::default().with("directions", layers).with("encoding", encoding.name()).with("method", method.name())
+}
+
+/// The centre of every texel, and for every texel one place anywhere in it.
+fn places(surface: &Surface) -> [(Quantity, Vec<(f64, f64)>); 2] {
+    let centres = Pixels::one_per_texel(surface).map(|x, y| (x, y));
+    let jittered = |(index, &(x, y)): (usize, &(f64, f64))| {
+        let index = index as u64;
+        (x + unit(2 * index) - 0.5, y + unit(2 * index + 1) - 0.5)
+    };
+    let between = centres.iter().enumerate().map(jittered).collect();
+    [(Quantity::ShadowAtCentres, centres), (Quantity::ShadowBetweenCentres, between)]
+}
+
+/// For each elevation and kind of place, the disagreement under each light.
+fn wrong_shares(
+    table: &TextureTable,
+    truth: &Truth,
+) -> Result<Vec<(f64, Quantity, Vec<MaskDisagreement>)>, StudyError> {
+    let view = HorizonView::new(*table.descriptor(), table.payload())?;
+    let mut found: Vec<(f64, Quantity, Vec<MaskDisagreement>)> = Vec::new();
+    for (light, elevation, masks) in &truth.shadows {
+        let shadow = HorizonShadow::new(&view, light);
+        for mask in masks {
+            let decided: Vec<bool> = mask.places.iter().map(|&(x, y)| shadow.in_shadow(x, y)).collect();
+            let wrong = MaskDisagreement::between(&mask.in_shadow, &decided);
+            match found.iter_mut().find(|(known, quantity, _)| (known, quantity) == (elevation, &mask.quantity)) {
+                Some((_, _, shares)) => shares.push(wrong),
+                None => found.push((*elevation, mask.quantity, vec![wrong])),
+            }
+        }
+    }
+    Ok(found)
+}
+
+fn merged(shares: &[MaskDisagreement]) -> MaskDisagreement {
+    let mut sum = MaskDisagreement::default();
+    shares.iter().for_each(|share| sum.merge(share));
+    sum
+}
+
+/// The time of a test by map and by ray, at places between texel centres, under a light in the middle of the range.
+fn time_tests(study: &Shadow<'_>, scene: &Scene, observe: &mut Observer<'_>) -> Result<Vec<Record>, StudyError> {
+    let (azimuth, elevation) = (AZIMUTHS[2], ELEVATIONS[1]);
+    let light = DirectionalLight::from_degrees(azimuth, elevation);
+    let radius = HorizonParams::default_radius(scene.field.grid());
+    let surface = tables::surface(&scene.field)?;
+    let map = bake(scene, radius, (study.directions[0], Method::Sweep), study.exec)?;
+    let table = tables::horizon(&map, Encoding::F32)?;
+    let by_map = HorizonShadow::new(&HorizonView::new(*table.descriptor(), table.payload())?, &light);
+    let by_ray = TracedShadow::new(&surface, &light, radius);
+    let [_, (_, places)] = places(&surface);
+    let mut contestants = [
+        contestant("horizon", || places.iter().filter(|&&(x, y)| by_map.in_shadow(x, y)).count()),
+        contestant("traced", || places.iter().filter(|&&(x, y)| by_ray.in_shadow(x, y)).count()),
+    ];
+    let timings = race(&mut contestants, &study.pace, observe)?;
+    let setting = Setting::default().with("elevation", elevation).with("azimuth", azimuth);
+    let record = |technique, timing, fetches| {
+        let record = Record::new(technique, setting.clone(), scene);
+        Record { fetches, ..record.with_timing(timing, Item::ShadowTest, places.len() as f64) }
+    };
+    Ok(vec![record("horizon", &timings[0], Some(FETCHES)), record("traced", &timings[1], None)])
+}
+
+/// Counts shadows, so that no decision can be left out.
+fn contestant<'a>(technique: &str, count: impl Fn() -> usize + 'a) -> Contestant<'a, usize> {
+    Contestant { name: format!("{technique} shadow tests"), work: Box::new(move || Ok(count())) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn records(name: &str) -> Vec<Record> {
+        let exec = Exec::new(1).unwrap();
+        let study = Shadow { directions: &[8], exec: &exec, pace: Pace { seconds: 0.0, max_rounds: 1 } };
+        measure(&study, &[scenes::by_name(name, 16).unwrap()], &mut |_| ()).unwrap()
+    }
+
+    #[test]
+    fn a_level_field_has_no_shadow_to_get_wrong() {
+        let records = records("constant");
+        let decided: Vec<_> = records.iter().filter(|record| record.quantity.is_some()).collect();
+        assert_eq!(decided.len(), Method::ALL.len() * Encoding::ALL.len() * ELEVATIONS.len() * 2);
+        for record in decided {
+            assert_eq!((record.wrong_share, record.max), (Some(0.0), Some(0.0)), "{}", record.setting);
+            assert_eq!(record.samples, Some(256 * AZIMUTHS.len() as u64));
+        }
+    }
+
+    #[test]
+    fn fewer_bytes_are_said_and_both_techniques_are_timed() {
+        let records = records("reptile_skin");
+        let bytes = |encoding| {
+            let of = |record: &&Record| record.setting.get("encoding") == Some(encoding);
+            records.iter().find(of).and_then(|record| record.bytes).unwrap()
+        };
+        assert!(bytes("f32") == 2 * bytes("f16") && bytes("f16") == 2 * bytes("u8"));
+        let timed: Vec<_> = records.iter().filter(|record| record.per == Some(Item::ShadowTest)).collect();
+        assert_eq!(timed.iter().map(|record| record.technique.as_str()).collect::<Vec<_>>(), ["horizon", "traced"]);
+    }
+
+    #[test]
+    fn places_between_centres_stay_in_their_texel() {
+        let surface = tables::surface(&scenes::by_name("plane", 8).unwrap().field).unwrap();
+        let [(_, centres), (_, between)] = places(&surface);
+        assert!(centres.iter().zip(&between).all(|(c, b)| (c.0 - b.0).abs() <= 0.5 && (c.1 - b.1).abs() <= 0.5));
+    }
+}

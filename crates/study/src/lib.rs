@@ -1,0 +1,57 @@
+//! Error against run time: how far a technique is from the truth, what a texel or pixel costs, and what it weighs.
+//!
+//! # Theory
+//!
+//! No setting is chosen by feel. A [`Record`] is one technique at one setting on one scene: its error against a slow,
+//! exact twin, its time, its bytes. A study is a list of records, and a table in the docs is a view of such a list, so
+//! that no figure in the docs can be older than its measurement.
+//!
+//! What is measured, in the order of trust it deserves:
+//!
+//! - **error** is the same on every machine, and a change of it is a change of the code;
+//! - **bytes** likewise;
+//! - **time** belongs to a machine, which is therefore named ([`Machine`]), and to what else ran on it: [`timer`] says how
+//!   contestants are kept on an equal footing. How fast it could have been is the machine's memory [`bandwidth`].
+//!
+//! # Conventions
+//!
+//! Nothing here prints, and nothing but [`Machine::this`] opens a file: fields come in, records and text go out. The
+//! program behind `cargo xtask bench` is the example `study`. A technique is studied in a file of its own, named after
+//! it: [`horizon_speed`], [`horizon_accuracy`], [`horizon_shadow`]; how its records read in the docs is in [`report`].
+
+pub mod bandwidth;
+mod clock;
+mod csv;
+mod error;
+pub mod horizon_accuracy;
+mod horizon_point;
+pub mod horizon_shadow;
+pub mod horizon_speed;
+mod machine;
+pub mod markdown;
+mod record;
+pub mod report;
+mod runner;
+mod sample;
+pub mod scenes;
+mod setting;
+mod tables;
+pub mod timer;
+
+pub use clock::{Elapsed, Stopwatch};
+pub use csv::RecordFile;
+pub use error::StudyError;
+pub use machine::Machine;
+pub use record::{Item, Norms, Quantity, Record};
+pub use runner::{Observer, Step, Study, run};
+pub use scenes::Scene;
+pub use setting::Setting;
+
+/// How much of a study is run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// What the docs quote: minutes.
+    Full,
+    /// Whether it runs at all: seconds, and no figure worth quoting.
+    Quick,
+}

@@ -1,0 +1,34 @@
+//! `cargo xtask bench`: the figures that the README quotes, measured by the example `study`.
+
+use anyhow::Result;
+use clap::Args;
+
+use crate::run::cargo;
+
+#[derive(Args)]
+pub(crate) struct Options {
+    /// Seconds instead of minutes, to see that it runs: records go to target/study, the README stays as it is
+    #[arg(long)]
+    quick: bool,
+    /// Measure only these, separated by commas: bench, accuracy, shadow
+    #[arg(long, value_name = "RECORDS")]
+    only: Option<String>,
+    /// Measure nothing: write the README's tables from the records there are
+    #[arg(long, conflicts_with_all = ["quick", "only"])]
+    render: bool,
+}
+
+/// Measures, writes `crates/study/records/*.csv`, prints the tables and writes them to the README.
+pub(crate) fn bench(options: &Options) -> Result<()> {
+    if options.render {
+        return cargo("run --quiet -p barchan-study --example study -- render");
+    }
+    let quick = if options.quick { "--quick" } else { "" };
+    let only = options.only.as_ref().map_or_else(String::new, |only| format!("--only {only}"));
+    cargo(&format!("run --release -p barchan-study --example study -- measure {quick} {only}"))
+}
+
+/// Fails if the README's tables are not those of the records.
+pub(crate) fn check() -> Result<()> {
+    cargo("run --quiet -p barchan-study --example study -- check")
+}
