@@ -47,14 +47,21 @@ pub struct Shadow<'a> {
 /// What rays decide.
 pub struct Truth {
     radius: f64,
-    shadows: Vec<(DirectionalLight, f64, [Mask; 2])>,
+    places: [Places; 2],
+    suns: Vec<Sun>,
 }
 
-/// Decisions at some places.
-struct Mask {
+/// Places of one kind: `(x, y)` in texels from the centre of texel (0, 0).
+struct Places {
     quantity: Quantity,
-    places: Vec<(f64, f64)>,
-    in_shadow: Vec<bool>,
+    all: Vec<(f64, f64)>,
+}
+
+/// A light, and whether each place of each kind is in its shadow.
+struct Sun {
+    elevation_degrees: f64,
+    light: DirectionalLight,
+    in_shadow: [Vec<bool>; 2],
 }
 
 /// The study and its scenes; `more` are further ones.
@@ -95,17 +102,16 @@ impl Study for Shadow<'_> {
     fn truth(&self, scene: &Scene) -> Result<Truth, StudyError> {
         let surface = tables::surface(&scene.field)?;
         let radius = HorizonParams::default_radius(scene.field.grid());
+        let places = places(&surface);
         let lights = ELEVATIONS.iter().flat_map(|&elevation| AZIMUTHS.map(|azimuth| (azimuth, elevation)));
-        let shadows = lights.map(|(azimuth, elevation)| {
-            let light = DirectionalLight::from_degrees(azimuth, elevation);
+        let suns = lights.map(|(azimuth, elevation_degrees)| {
+            let light = DirectionalLight::from_degrees(azimuth, elevation_degrees);
             let traced = TracedShadow::new(&surface, &light, radius);
-            let mask = |(quantity, places): (Quantity, Vec<(f64, f64)>)| {
-                let in_shadow = places.iter().map(|&(x, y)| traced.in_shadow(x, y)).collect();
-                Mask { quantity, places, in_shadow }
-            };
-            (light, elevation, places(&surface).map(mask))
+            let in_shadow = places.each_ref().map(|places| places.decide(|x, y| traced.in_shadow(x, y)));
+            Sun { elevation_degrees, light, in_shadow }
         });
-        Ok(Truth { radius, shadows: shadows.collect() })
+        let suns = suns.collect();
+        Ok(Truth { radius, places, suns })
     }
 
     fn measure(
@@ -121,7 +127,7 @@ impl Study for Shadow<'_> {
         let mut records = Vec::new();
         for encoding in Encoding::ALL {
             let table = tables::horizon(&map, encoding)?;
-            let setting = setting(method, encoding, &table);
+            let setting = setting((directions, method), encoding, &table);
             for (elevation, quantity, shares) in wrong_shares(&table, truth)? {
                 let mut record = Record::new("horizon", setting.clone().with("elevation", elevation), scene);
                 record.quantity = Some(quantity);
@@ -146,21 +152,34 @@ fn bake(
     Ok(horizon::bake(&scene.field, &params, exec)?)
 }
 
-fn setting(method: Method, encoding: Encoding, table: &TextureTable) -> Setting {
-    // A compact encoding may store fewer layers than azimuths.
-    let layers = table.descriptor().layers;
-    Setting::default().with("directions", layers).with("encoding", encoding.name()).with("method", method.name())
+fn setting((directions, method): (u32, Method), encoding: Encoding, table: &TextureTable) -> Setting {
+    Setting::default()
+        .with("directions", directions)
+        // A compact encoding may store fewer layers than azimuths.
+        .with("layers", table.descriptor().layers)
+        .with("encoding", encoding.name())
+        .with("method", method.name())
+}
+
+impl Places {
+    /// A decision for each place, in order.
+    fn decide(&self, in_shadow: impl Fn(f64, f64) -> bool) -> Vec<bool> {
+        self.all.iter().map(|&(x, y)| in_shadow(x, y)).collect()
+    }
 }
 
 /// The centre of every texel, and for every texel one place anywhere in it.
-fn places(surface: &Surface) -> [(Quantity, Vec<(f64, f64)>); 2] {
+fn places(surface: &Surface) -> [Places; 2] {
     let centres = Pixels::one_per_texel(surface).map(|x, y| (x, y));
-    let jittered = |(index, &(x, y)): (usize, &(f64, f64))| {
+    let anywhere = |(index, &(x, y)): (usize, &(f64, f64))| {
         let index = index as u64;
         (x + unit(2 * index) - 0.5, y + unit(2 * index + 1) - 0.5)
     };
-    let between = centres.iter().enumerate().map(jittered).collect();
-    [(Quantity::ShadowAtCentres, centres), (Quantity::ShadowBetweenCentres, between)]
+    let between = centres.iter().enumerate().map(anywhere).collect();
+    [
+        Places { quantity: Quantity::ShadowAtCentres, all: centres },
+        Places { quantity: Quantity::ShadowBetweenCentres, all: between },
+    ]
 }
 
 /// For each elevation and kind of place, the disagreement under each light.
@@ -169,19 +188,17 @@ fn wrong_shares(
     truth: &Truth,
 ) -> Result<Vec<(f64, Quantity, Vec<MaskDisagreement>)>, StudyError> {
     let view = HorizonView::new(*table.descriptor(), table.payload())?;
-    let mut found: Vec<(f64, Quantity, Vec<MaskDisagreement>)> = Vec::new();
-    for (light, elevation, masks) in &truth.shadows {
-        let shadow = HorizonShadow::new(&view, light);
-        for mask in masks {
-            let decided: Vec<bool> = mask.places.iter().map(|&(x, y)| shadow.in_shadow(x, y)).collect();
-            let wrong = MaskDisagreement::between(&mask.in_shadow, &decided);
-            match found.iter_mut().find(|(known, quantity, _)| (known, quantity) == (elevation, &mask.quantity)) {
-                Some((_, _, shares)) => shares.push(wrong),
-                None => found.push((*elevation, mask.quantity, vec![wrong])),
-            }
-        }
-    }
-    Ok(found)
+    let wrong = |sun: &Sun| {
+        let shadow = HorizonShadow::new(&view, &sun.light);
+        let decide = |kind: usize| truth.places[kind].decide(|x, y| shadow.in_shadow(x, y));
+        [0, 1].map(|kind| MaskDisagreement::between(&sun.in_shadow[kind], &decide(kind)))
+    };
+    let wrong: Vec<_> = truth.suns.iter().map(|sun| (sun.elevation_degrees, wrong(sun))).collect();
+    let under = |elevation, kind: usize| {
+        let at = wrong.iter().filter(|(degrees, _)| *degrees == elevation).map(|(_, kinds)| kinds[kind]).collect();
+        (elevation, truth.places[kind].quantity, at)
+    };
+    Ok(ELEVATIONS.iter().flat_map(|&elevation| [0, 1].map(|kind| under(elevation, kind))).collect())
 }
 
 fn merged(shares: &[MaskDisagreement]) -> MaskDisagreement {
@@ -200,23 +217,22 @@ fn time_tests(study: &Shadow<'_>, scene: &Scene, observe: &mut Observer<'_>) -> 
     let table = tables::horizon(&map, Encoding::F32)?;
     let by_map = HorizonShadow::new(&HorizonView::new(*table.descriptor(), table.payload())?, &light);
     let by_ray = TracedShadow::new(&surface, &light, radius);
-    let [_, (_, places)] = places(&surface);
+    let [_, between] = places(&surface);
     let mut contestants = [
-        contestant("horizon", || places.iter().filter(|&&(x, y)| by_map.in_shadow(x, y)).count()),
-        contestant("traced", || places.iter().filter(|&&(x, y)| by_ray.in_shadow(x, y)).count()),
+        contestant("horizon", || between.decide(|x, y| by_map.in_shadow(x, y))),
+        contestant("traced", || between.decide(|x, y| by_ray.in_shadow(x, y))),
     ];
     let timings = race(&mut contestants, &study.pace, observe)?;
     let setting = Setting::default().with("elevation", elevation).with("azimuth", azimuth);
     let record = |technique, timing, fetches| {
         let record = Record::new(technique, setting.clone(), scene);
-        Record { fetches, ..record.with_timing(timing, Item::ShadowTest, places.len() as f64) }
+        Record { fetches, ..record.with_timing(timing, Item::ShadowTest, between.all.len() as f64) }
     };
     Ok(vec![record("horizon", &timings[0], Some(FETCHES)), record("traced", &timings[1], None)])
 }
 
-/// Counts shadows, so that no decision can be left out.
-fn contestant<'a>(technique: &str, count: impl Fn() -> usize + 'a) -> Contestant<'a, usize> {
-    Contestant { name: format!("{technique} shadow tests"), work: Box::new(move || Ok(count())) }
+fn contestant<'a>(technique: &str, decide: impl Fn() -> Vec<bool> + 'a) -> Contestant<'a, Vec<bool>> {
+    Contestant { name: format!("{technique} shadow tests"), work: Box::new(move || Ok(decide())) }
 }
 
 #[cfg(test)]
@@ -255,7 +271,7 @@ mod tests {
     #[test]
     fn places_between_centres_stay_in_their_texel() {
         let surface = tables::surface(&scenes::by_name("plane", 8).unwrap().field).unwrap();
-        let [(_, centres), (_, between)] = places(&surface);
+        let [centres, between] = places(&surface).map(|places| places.all);
         assert!(centres.iter().zip(&between).all(|(c, b)| (c.0 - b.0).abs() <= 0.5 && (c.1 - b.1).abs() <= 0.5));
     }
 }

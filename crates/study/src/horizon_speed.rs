@@ -94,7 +94,7 @@ impl Sizes {
 
     fn heats(&self, method: Method, scale: Scale, threads: usize) -> Vec<Heat> {
         let pace = match scale {
-            Scale::Full => Pace { seconds: 16.0, max_rounds: 7 },
+            Scale::Full => Pace { seconds: 12.0, max_rounds: 7 },
             Scale::Quick => Pace { seconds: 0.2, max_rounds: 3 },
         };
         let heat = |varied, cases| Heat { varied, pace, cases };

@@ -42,11 +42,11 @@ pub fn run<S: Study>(study: &S, scenes: &[Scene], observe: &mut Observer<'_>) ->
     let total = scenes.len() * settings.len();
     let mut records = Vec::new();
     for (index, scene) in scenes.iter().enumerate() {
-        let mut announce = |done| observe(&Step { done: index * settings.len() + done, total, what: &scene.name });
-        announce(0);
+        let before = index * settings.len();
+        observe(&Step { done: before, total, what: &format!("{}: the truth", scene.name) });
         let truth = study.truth(scene)?;
         for (done, setting) in settings.iter().enumerate() {
-            announce(done);
+            observe(&Step { done: before + done, total, what: &scene.name });
             records.extend(study.measure(scene, &truth, setting)?);
         }
     }
@@ -96,6 +96,7 @@ mod tests {
             ["constant truth=1 of=10", "constant truth=1 of=20", "spike truth=2 of=10", "spike truth=2 of=20"]
         );
         assert_eq!(study.truths.get(), 2);
-        assert_eq!(seen, ["constant 0/4", "constant 0/4", "constant 1/4", "spike 2/4", "spike 2/4", "spike 3/4"]);
+        let words = "constant: the truth 0/4, constant 0/4, constant 1/4, spike: the truth 2/4, spike 2/4, spike 3/4";
+        assert_eq!(seen.join(", "), words);
     }
 }

@@ -1,16 +1,24 @@
-//! The table of shadows: a row for each table a user may store, over all scenes and lights.
+//! The table of shadows: a row for each table a user may store, over all scenes and lights; for each method how much is wrong.
 
 use super::numbers::{mean, or_none, percent, short};
 use crate::markdown::Table;
 use crate::{Item, Quantity, Record, RecordFile};
 
 pub(super) fn render(file: &RecordFile) -> String {
-    let mut table =
-        Table::new(["method, azimuths, encoding", "bytes per texel", "wrong at centres", "between", "worst light"]);
-    for setting in settings(&file.records) {
-        table.push(row(&setting, &file.records));
+    let methods = names(&file.records, |record| record.setting.get("method").map(str::to_owned));
+    let stored = names(&file.records, |record| Some(stored(record)));
+    let columns = ["azimuths, encoding", "bytes per texel"].map(str::to_owned);
+    let wrong = methods.iter().flat_map(|method| [format!("{method}: at centres"), "between".to_owned()]);
+    let mut table = Table::new(columns.into_iter().chain(wrong).chain(["worst light".to_owned()]));
+    for stored in &stored {
+        table.push(row(stored, &methods, &file.records));
     }
     format!("{}\n{}", introduction(file), table.render())
+}
+
+/// What is stored, in words.
+fn stored(record: &Record) -> String {
+    ["directions", "encoding"].map(|name| record.setting.get(name).unwrap_or_default()).join(", ")
 }
 
 fn introduction(file: &RecordFile) -> String {
@@ -43,39 +51,22 @@ fn names(records: &[Record], name: impl Fn(&Record) -> Option<String>) -> Vec<St
     names
 }
 
-/// `[method, directions, encoding]` of every table.
-fn settings(records: &[Record]) -> Vec<[String; 3]> {
-    let mut settings: Vec<[String; 3]> = Vec::new();
-    for record in records.iter().filter(|record| record.quantity.is_some()) {
-        let setting = setting(record);
-        if !settings.contains(&setting) {
-            settings.push(setting);
-        }
-    }
-    // A stable sort by the method's first appearance: the table is read one method at a time.
-    let methods: Vec<String> = settings.iter().map(|setting| setting[0].clone()).collect();
-    settings.sort_by_key(|setting| methods.iter().position(|method| *method == setting[0]));
-    settings
-}
-
-fn setting(record: &Record) -> [String; 3] {
-    ["method", "directions", "encoding"].map(|name| record.setting.get(name).unwrap_or_default().to_owned())
-}
-
-fn row(wanted: &[String; 3], records: &[Record]) -> Vec<String> {
-    let records: Vec<&Record> = records.iter().filter(|record| setting(record) == *wanted).collect();
-    let of = |quantity| records.iter().filter(move |record| record.quantity == Some(quantity));
-    let wrong = |quantity| mean(&of(quantity).filter_map(|record| record.wrong_share).collect::<Vec<_>>());
-    let worst = of(Quantity::ShadowBetweenCentres).filter_map(|record| record.max).max_by(f64::total_cmp);
+fn row(wanted: &str, methods: &[String], records: &[Record]) -> Vec<String> {
+    let records: Vec<&Record> =
+        records.iter().filter(|record| record.quantity.is_some() && stored(record) == wanted).collect();
+    let wrong = |method: &String, quantity| {
+        let of = records.iter().filter(|record| record.setting.get("method") == Some(method));
+        let of = of.filter(|record| record.quantity == Some(quantity)).filter_map(|record| record.wrong_share);
+        or_none(mean(&of.collect::<Vec<_>>()), percent)
+    };
     let texels = |record: &Record| f64::from(record.width) * f64::from(record.height);
     let bytes: Vec<f64> = records.iter().filter_map(|record| Some(record.bytes? as f64 / texels(record))).collect();
-    vec![
-        wanted.join(", "),
-        or_none(mean(&bytes), |bytes| format!("{bytes:.0}")),
-        or_none(wrong(Quantity::ShadowAtCentres), percent),
-        or_none(wrong(Quantity::ShadowBetweenCentres), percent),
-        or_none(worst, percent),
-    ]
+    let worst = records.iter().filter_map(|record| record.max).max_by(f64::total_cmp);
+    let both = [Quantity::ShadowAtCentres, Quantity::ShadowBetweenCentres];
+    let mut row = vec![wanted.to_owned(), or_none(mean(&bytes), |bytes| format!("{bytes:.0}"))];
+    row.extend(methods.iter().flat_map(|method| both.map(|quantity| wrong(method, quantity))));
+    row.push(or_none(worst, percent));
+    row
 }
 
 #[cfg(test)]
@@ -119,6 +110,6 @@ mod tests {
             text.starts_with("Over dunes, under suns at 5°, 15°. A test takes 8.00 ns by the map and 800 ns"),
             "{text}"
         );
-        assert!(text.ends_with("| sweep, 8, u8 | 8 | 2.00 % | 20.0 % | 40.0 % |\n"), "{text}");
+        assert!(text.ends_with("| 8, u8 | 8 | 2.00 % | 20.0 % | 40.0 % |\n"), "{text}");
     }
 }
