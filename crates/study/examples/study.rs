@@ -10,6 +10,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail};
 use barchan_bakers::Exec;
@@ -53,15 +54,18 @@ enum Task {
     Check,
 }
 
-fn main() -> Result<()> {
-    match Arguments::parse().task {
-        Task::Measure { quick, only } => {
-            measure(if quick { Scale::Quick } else { Scale::Full }, &only)?;
-            if quick { Ok(()) } else { render() }
-        }
+fn main() -> ExitCode {
+    let done = match Arguments::parse().task {
+        Task::Measure { quick: true, only } => measure(Scale::Quick, &only),
+        Task::Measure { quick: false, only } => measure(Scale::Full, &only).and_then(|()| render()),
         Task::Render => render(),
         Task::Check => check(),
+    };
+    if let Err(error) = done {
+        eprintln!("study: {error:#}");
+        return ExitCode::FAILURE;
     }
+    ExitCode::SUCCESS
 }
 
 /// The workspace's root, two folders above this package.

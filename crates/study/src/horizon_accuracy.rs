@@ -1,4 +1,4 @@
-//! How exact horizon maps are: each method against the f64 [`reference`].
+//! How exact horizon maps are: each method against the f64 [`reference`](mod@reference).
 //!
 //! # Two errors
 //!

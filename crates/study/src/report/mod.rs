@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod numbers;
+mod promises;
 mod shadow;
 mod speed;
 

@@ -1,6 +1,7 @@
 //! The table of speeds: a row for each case, a column for each method.
 
 use super::numbers::{or_none, percent, short};
+use super::promises;
 use crate::markdown::Table;
 use crate::{Item, Record, RecordFile};
 
@@ -13,7 +14,8 @@ pub(super) fn render(file: &RecordFile) -> String {
         let records: Vec<&Record> = timed.iter().copied().filter(|record| case(record) == case_name).collect();
         table.push(row(case_name, &records, &methods));
     }
-    format!("{}\n{}", introduction(file, &timed), table.render())
+    let promises = promises::table(&timed).render();
+    format!("{}\n{}\n{promises}", introduction(file, &timed), table.render())
 }
 
 fn introduction(file: &RecordFile, timed: &[&Record]) -> String {
@@ -137,6 +139,6 @@ mod tests {
                      |---|---:|---:|---:|\n\
                      | fractal terrain | 64² × 8, 32² × 8 | 100 · 2.50 % | 1.00 · 2.50 % |\n\
                      | 2 threads | 64² × 8 | 200 · 2.50 % | – |\n";
-        assert!(text.ends_with(table), "{text}");
+        assert!(text.contains(table), "{text}");
     }
 }
