@@ -129,16 +129,26 @@ impl Study for Shadow<'_> {
             let table = tables::horizon(&map, encoding)?;
             let setting = setting((directions, method), encoding, &table);
             for (elevation, quantity, shares) in wrong_shares(&table, truth)? {
-                let mut record = Record::new("horizon", setting.clone().with("elevation", elevation), scene);
-                record.quantity = Some(quantity);
-                record.samples = Some(shares.iter().map(|share| share.total).sum());
-                record.wrong_share = Some(merged(&shares).rate());
-                record.max = shares.iter().map(MaskDisagreement::rate).max_by(f64::total_cmp);
-                record.bytes = Some(table.payload().len() as u64);
-                records.push(Record { bake_seconds, fetches: Some(FETCHES), ..record });
+                let record = Record::new("horizon", setting.clone().with("elevation", elevation), scene);
+                let bytes = Some(table.payload().len() as u64);
+                let record = Record { bytes, bake_seconds, fetches: Some(FETCHES), ..record };
+                records.push(with_shares(record, quantity, &shares));
             }
         }
         Ok(records)
+    }
+}
+
+/// The record with what is wrong over all lights, and under the worst of them.
+fn with_shares(record: Record, quantity: Quantity, shares: &[MaskDisagreement]) -> Record {
+    let mut all = MaskDisagreement::default();
+    shares.iter().for_each(|share| all.merge(share));
+    Record {
+        quantity: Some(quantity),
+        samples: Some(all.total),
+        wrong_share: Some(all.rate()),
+        max: shares.iter().map(MaskDisagreement::rate).max_by(f64::total_cmp),
+        ..record
     }
 }
 
@@ -199,12 +209,6 @@ fn wrong_shares(
         (elevation, truth.places[kind].quantity, at)
     };
     Ok(ELEVATIONS.iter().flat_map(|&elevation| [0, 1].map(|kind| under(elevation, kind))).collect())
-}
-
-fn merged(shares: &[MaskDisagreement]) -> MaskDisagreement {
-    let mut sum = MaskDisagreement::default();
-    shares.iter().for_each(|share| sum.merge(share));
-    sum
 }
 
 /// The time of a test by map and by ray, at places between texel centres, under a light in the middle of the range.

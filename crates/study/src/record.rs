@@ -138,16 +138,18 @@ impl Record {
     #[must_use]
     pub fn with_timing(mut self, timing: &Timing, per: Item, items: f64) -> Self {
         let per_item = |seconds: f64| Some(1e9 * seconds / items);
+        // One round says nothing of how much to believe it.
+        let spread = |deviation: f64| if timing.rounds > 1 { per_item(deviation) } else { None };
         self.per = Some(per);
         self.rounds = Some(timing.rounds as u64);
         if let Some(cpu) = timing.cpu {
             self.cpu_ns = per_item(cpu.median);
             self.cpu_ns_min = per_item(cpu.minimum);
-            self.cpu_ns_spread = per_item(cpu.deviation);
+            self.cpu_ns_spread = spread(cpu.deviation);
         }
         self.wall_ns = per_item(timing.wall.median);
         self.wall_ns_min = per_item(timing.wall.minimum);
-        self.wall_ns_spread = per_item(timing.wall.deviation);
+        self.wall_ns_spread = spread(timing.wall.deviation);
         self
     }
 
@@ -199,6 +201,8 @@ mod tests {
         let record = Record::default().with_timing(&timing, Item::Byte, 1e9);
         assert_eq!((record.wall_ns, record.wall_ns_min, record.wall_ns_spread), (Some(3.0), Some(2.0), Some(0.5)));
         assert_eq!((record.cpu_ns, record.core_ns(), record.rounds), (None, Some(3.0), Some(4)));
+        let once = Record::default().with_timing(&Timing { rounds: 1, ..timing }, Item::Byte, 1e9);
+        assert_eq!((once.wall_ns, once.wall_ns_spread), (Some(3.0), None));
     }
 
     #[test]

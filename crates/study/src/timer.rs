@@ -3,7 +3,8 @@
 //! # How contestants are kept on an equal footing
 //!
 //! - **Interleaved**: A B C A B C, never A A B B C C, so that a machine that grows warm or busy does so for all of them.
-//! - **Warm**: a first round, which is not counted, touches the memory and the caches and says how long a round takes.
+//! - **Warm**: a first round touches the memory and the caches and says how long a round takes. It counts only where it
+//!   takes longer than all the time there is: nothing that happens once matters in so long a round.
 //! - **Median and spread**: of the rounds the median counts, beside it the minimum, which is what the machine can do, and
 //!   the median absolute deviation, which is how much to believe it.
 //! - **Two clocks**: processor time of all threads, and the wall's ([`Stopwatch`]).
@@ -27,9 +28,9 @@ pub struct Contestant<'a, T> {
 /// How long contestants are timed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pace {
-    /// About how many seconds to spend on all counted rounds together; at least one round is counted.
+    /// About how many seconds to spend after the warm-up; at least one round is run.
     pub seconds: f64,
-    /// The most rounds that are counted.
+    /// The most rounds after the warm-up.
     pub max_rounds: usize,
 }
 
@@ -77,7 +78,7 @@ fn median(numbers: &[f64]) -> f64 {
 }
 
 impl Pace {
-    /// How many rounds are counted when one takes `round_seconds`.
+    /// How many rounds are run after the warm-up when one takes `round_seconds`.
     #[must_use]
     pub fn rounds(&self, round_seconds: f64) -> usize {
         // A cast from a float saturates: a round that took no time at all gives the most.
@@ -95,9 +96,11 @@ pub fn race<T>(
     observe: &mut Observer<'_>,
 ) -> Result<Vec<Timing>, StudyError> {
     let warm_up = round(contestants, &mut |_| ())?;
-    let rounds = pace.rounds(warm_up.iter().map(|elapsed| elapsed.wall_seconds).sum());
+    let round_seconds = warm_up.iter().map(|elapsed| elapsed.wall_seconds).sum();
+    let rounds = pace.rounds(round_seconds);
     let total = rounds * contestants.len();
-    let mut laps: Vec<Vec<Elapsed>> = vec![Vec::new(); contestants.len()];
+    let kept = |elapsed| if round_seconds > pace.seconds { vec![elapsed] } else { Vec::new() };
+    let mut laps: Vec<Vec<Elapsed>> = warm_up.into_iter().map(kept).collect();
     let mut done = 0;
     for _ in 0..rounds {
         let elapsed = round(contestants, &mut |name| {
@@ -171,6 +174,13 @@ mod tests {
         assert_eq!(order.into_inner(), "abcabcabc");
         assert_eq!(seen, "a0/6 b1/6 c2/6 a3/6 b4/6 c5/6 ");
         assert!(timings.iter().all(|timing| timing.rounds == 2 && timing.wall.minimum <= timing.wall.median));
+    }
+
+    #[test]
+    fn a_warm_up_longer_than_there_is_time_counts() {
+        let mut contestants = [Contestant { name: String::new(), work: Box::new(|| Ok(())) }];
+        let timings = race(&mut contestants, &Pace { seconds: -1.0, max_rounds: 9 }, &mut |_| ()).unwrap();
+        assert_eq!(timings[0].rounds, 2);
     }
 
     #[test]
