@@ -37,12 +37,23 @@ impl<'a> Exec<'a> {
 
     /// Runs `work(index, piece)` once for every piece. Each piece owns its output, so the order cannot matter.
     pub(crate) fn for_each<T: Send>(&self, pieces: Vec<T>, work: impl Fn(usize, T) + Sync) {
+        let indexed = pieces.into_iter().enumerate().collect();
+        self.for_each_with(indexed, || (), |(), (index, piece)| work(index, piece));
+    }
+
+    /// Runs `work(buffers, piece)` once for every piece, with buffers that a thread keeps from piece to piece.
+    pub(crate) fn for_each_with<T: Send, B>(
+        &self,
+        pieces: Vec<T>,
+        buffers: impl Fn() -> B + Sync + Send,
+        work: impl Fn(&mut B, T) + Sync + Send,
+    ) {
         let total = pieces.len();
         let done = AtomicUsize::new(0);
         self.pool.install(|| {
             // One piece at a time: pieces are few and large, and stealing half of them would leave a thread idle.
-            pieces.into_par_iter().enumerate().with_max_len(1).for_each(|(index, piece)| {
-                work(index, piece);
+            pieces.into_par_iter().with_max_len(1).for_each_init(buffers, |buffers, piece| {
+                work(buffers, piece);
                 let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
                 if let Some(report) = self.on_progress {
                     report(finished, total);

@@ -50,6 +50,11 @@ impl Octant {
         }
     }
 
+    /// Whether the major axis runs along the picture's rows.
+    pub(crate) fn runs_along_rows(&self) -> bool {
+        self.major_stride.abs() < self.minor_stride.abs() || self.minors == 1
+    }
+
     /// Where texel `(major, minor)` lies in the field's row-by-row order.
     #[inline]
     pub(crate) fn index(&self, major: usize, minor: usize) -> usize {

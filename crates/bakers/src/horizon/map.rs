@@ -4,7 +4,7 @@ use barchan_asset::{MAX_ELEVATION, f32_at_most};
 use barchan_field::{Grid, HeightField};
 
 use super::HorizonParams;
-use crate::{BakeError, Exec};
+use crate::BakeError;
 
 /// One bound for what a bake may hold in memory.
 const MAX_MAP_BYTES: u64 = 1 << 36;
@@ -23,12 +23,42 @@ impl HorizonPoint {
     /// Lower and nearer than any point.
     pub(crate) const NONE: Self = Self { slope: f64::NEG_INFINITY, distance: 0.0 };
 
+    /// The elevation above the base plane in radians, within ±[`MAX_ELEVATION`].
+    #[must_use]
+    pub fn elevation_radians(&self) -> f32 {
+        // f32 keeps any slope's angle to 3e-8 rad, and a slope beyond f32 is a wall in either precision.
+        libm::atanf(self.slope as f32).clamp(-MAX_ELEVATION, MAX_ELEVATION)
+    }
+
     /// Takes the point if it is higher, or as high and farther: a level field's horizon is at the search radius.
     #[inline]
     pub(crate) fn raise(&mut self, slope: f64, distance: f64) {
         if slope > self.slope || (slope == self.slope && distance > self.distance) {
             *self = Self { slope, distance };
         }
+    }
+}
+
+/// Horizon elevations, and distances where asked for, of every texel in one direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HorizonLayer {
+    /// `[row][column]`, elevation above the base plane in radians, within ±[`MAX_ELEVATION`].
+    pub elevation_radians: Vec<f32>,
+    /// `[row][column]`, distance along the base plane in the length unit, 0 to the radius.
+    pub distance: Option<Vec<f32>>,
+}
+
+impl HorizonLayer {
+    /// Room for a layer of a field.
+    pub fn new(field: &HeightField, params: &HorizonParams) -> Result<Self, BakeError> {
+        params.check(field)?;
+        let texels = field.grid().texels();
+        let distance = params.distance.then(|| zeros(texels)).transpose()?;
+        Ok(Self { elevation_radians: zeros(texels)?, distance })
+    }
+
+    pub(crate) fn as_mut(&mut self) -> LayerMut<'_> {
+        LayerMut { elevation_radians: &mut self.elevation_radians, distance: self.distance.as_deref_mut() }
     }
 }
 
@@ -46,20 +76,18 @@ pub struct HorizonMap {
 }
 
 impl HorizonMap {
-    /// Checks, allocates, and lets `bake_layer(direction, layer)` fill one direction at a time, in parallel.
+    /// Checks, allocates, and lets `bake` fill all layers.
     pub(crate) fn fill(
         field: &HeightField,
         params: &HorizonParams,
-        exec: &Exec,
-        bake_layer: impl Fn(u32, LayerMut) + Sync,
+        bake: impl FnOnce(Vec<LayerMut<'_>>),
     ) -> Result<Self, BakeError> {
         params.check(field)?;
         let texels = field.grid().texels();
         let values = bounded_values(texels, params)?;
         let mut elevation_radians = zeros(values)?;
         let mut distance = params.distance.then(|| zeros(values)).transpose()?;
-        let layers = split_layers(&mut elevation_radians, distance.as_deref_mut(), texels, params.radius);
-        exec.for_each(layers, |direction, layer| bake_layer(direction as u32, layer));
+        bake(split_layers(&mut elevation_radians, distance.as_deref_mut(), texels));
         Ok(Self { grid: *field.grid(), params: *params, elevation_radians, distance })
     }
 
@@ -91,37 +119,39 @@ fn zeros(values: usize) -> Result<Vec<f32>, BakeError> {
 
 /// One direction's share of the output.
 pub(crate) struct LayerMut<'a> {
-    elevation_radians: &'a mut [f32],
-    distance: Option<&'a mut [f32]>,
-    /// The largest distance that is not beyond the radius.
-    farthest: f32,
+    pub(crate) elevation_radians: &'a mut [f32],
+    pub(crate) distance: Option<&'a mut [f32]>,
 }
 
-impl LayerMut<'_> {
-    #[inline]
-    pub(crate) fn set(&mut self, index: usize, point: HorizonPoint) {
-        // f32 keeps any slope's angle to 3e-8 rad, and a slope beyond f32 is a wall in either precision.
-        let elevation = libm::atanf(point.slope as f32);
-        self.elevation_radians[index] = elevation.clamp(-MAX_ELEVATION, MAX_ELEVATION);
+impl<'a> LayerMut<'a> {
+    /// Bands of `rows` rows each, which different threads may fill.
+    pub(crate) fn bands(self, width: usize, rows: usize) -> Vec<LayerMut<'a>> {
+        let mut distances = self.distance.map(|all| all.chunks_mut(width * rows));
+        self.elevation_radians
+            .chunks_mut(width * rows)
+            .map(|elevation_radians| LayerMut {
+                elevation_radians,
+                distance: distances.as_mut().and_then(Iterator::next),
+            })
+            .collect()
+    }
+
+    /// Stores a point found in f64.
+    pub(crate) fn set(&mut self, index: usize, point: HorizonPoint, radius: f64) {
+        self.elevation_radians[index] = point.elevation_radians();
         if let Some(distance) = &mut self.distance {
-            distance[index] = (point.distance as f32).min(self.farthest);
+            distance[index] = (point.distance as f32).min(f32_at_most(radius));
         }
     }
 }
 
-fn split_layers<'a>(
-    elevation: &'a mut [f32],
-    distance: Option<&'a mut [f32]>,
-    texels: usize,
-    radius: f64,
-) -> Vec<LayerMut<'a>> {
+fn split_layers<'a>(elevation: &'a mut [f32], distance: Option<&'a mut [f32]>, texels: usize) -> Vec<LayerMut<'a>> {
     let mut distances = distance.map(|all| all.chunks_exact_mut(texels));
     elevation
         .chunks_exact_mut(texels)
         .map(|elevation_radians| LayerMut {
             elevation_radians,
             distance: distances.as_mut().and_then(Iterator::next),
-            farthest: f32_at_most(radius),
         })
         .collect()
 }

@@ -23,34 +23,29 @@
 //! N azimuths 2πk/N, k = 0 along +u, counter-clockwise as seen in the picture; v points up the picture. φ̂ is a unit
 //! vector in lengths, not in texels: with texels twice as high as wide, 45° is not the texel diagonal.
 
+mod atan;
 mod azimuths;
+mod bake;
+mod bands;
+mod best;
 mod direction;
-mod hull;
+mod far;
+mod lane_hull;
+mod lines;
 mod map;
+mod near;
 mod params;
-mod ray;
 pub mod reference;
-mod relief;
+mod sheared;
+mod sliding_hull;
 mod sweep;
 
-use barchan_field::HeightField;
-
 pub use azimuths::Azimuths;
-pub use map::{HorizonMap, HorizonPoint};
+pub use bake::{bake, bake_direction};
+pub use map::{HorizonLayer, HorizonMap, HorizonPoint};
 pub use params::{HorizonParams, MAX_DIRECTIONS, MAX_RADIUS_TEXELS, Method};
 
-use crate::{BakeError, Exec};
+use barchan_asset::MAX_ELEVATION as MAX_ELEVATION_RADIANS;
 
 /// Names the algorithm in provenance. It changes when a bake's bytes do.
-pub const ALGORITHM: &str = "horizon-sweep-1";
-
-/// Bakes by line sweeps: the same bytes for any number of threads. Above the [`mod@reference`] by rounding at most;
-/// how far below it is what the README and each asset's provenance report.
-pub fn bake(field: &HeightField, params: &HorizonParams, exec: &Exec) -> Result<HorizonMap, BakeError> {
-    if params.method == Method::Exact {
-        return reference::bake(field, params, exec);
-    }
-    HorizonMap::fill(field, params, exec, |direction, mut layer| {
-        sweep::bake_layer(field, params, direction, &mut layer);
-    })
-}
+pub const ALGORITHM: &str = "horizon-sweep-2";

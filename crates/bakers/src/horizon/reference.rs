@@ -12,12 +12,14 @@ use crate::{BakeError, Exec};
 
 /// Bakes by brute force: the definition that [`super::bake`] is held against. O(radius) per texel and direction.
 pub fn bake(field: &HeightField, params: &HorizonParams, exec: &Exec) -> Result<HorizonMap, BakeError> {
-    HorizonMap::fill(field, params, exec, |direction, mut layer| {
-        let width = field.grid().width as usize;
-        for index in 0..field.grid().texels() {
-            let (column, row) = ((index % width) as u32, (index / width) as u32);
-            layer.set(index, horizon(field, params, direction, column, row));
-        }
+    HorizonMap::fill(field, params, |layers| {
+        exec.for_each(layers, |direction, mut layer| {
+            let width = field.grid().width as usize;
+            for index in 0..field.grid().texels() {
+                let (column, row) = ((index % width) as u32, (index / width) as u32);
+                layer.set(index, horizon(field, params, direction as u32, column, row), params.radius);
+            }
+        });
     })
 }
 

@@ -1,152 +1,231 @@
-//! The fast baker: whole strips at a time, amortised constant work per texel and direction at any radius.
+//! The fast bakers: whole lines at a time, amortised constant work per texel and direction at any size, relief and radius.
 //!
-//! A direction is cut into strips one texel wide between parallel lines, so that the ray of each texel runs inside one
-//! strip. Three profiles of a strip are taken, one height per column of texel centres (per row, for steep azimuths): the
-//! surface along either border line, and the ceiling, the highest texel that a ray of the strip comes near. A running
-//! upper hull of each answers: in which column ahead does this texel see its horizon? That is all the hulls are asked.
-//! The slope is then taken from the texel's *own* ray: exactly over the [`NEAR_COLUMNS`] nearest columns, where
-//! neighbouring lines see different things, and around the three answers, and at the radius. The border lines follow
-//! smooth relief; the ceiling finds what can fall between them, such as the fringe of a single high texel.
-//!
-//! So every value is the slope of a true point of the surface on the texel's own ray: the sweep can miss the highest
-//! one but never invents one, and is never above the reference by more than rounding.
+//! For each texel the ray's nearest columns are looked at exactly, where neighbouring lines see different things
+//! ([`near`](super::near)); of the rest, upper hulls name the places worth a look, and the texel's own ray is followed
+//! there ([`far`](super::far)). So every value is the slope of a true point of the surface on the texel's own ray: a sweep
+//! can miss the highest one but never invents one, and is never above the reference by more than the rounding of f32.
 
-use barchan_field::{Edge, HeightField};
+use fearless_simd::{Level, Simd, dispatch, f32x16, prelude::*};
 
-use super::HorizonParams;
-use super::direction::{Octant, RayStep};
-use super::hull::SlidingHull;
-use super::map::LayerMut;
-use super::ray::{MARGIN, NEAR_COLUMNS, Ray};
-use super::relief::Relief;
+use super::atan::atan;
+use super::best::Best;
+use super::far::{BLOCK, Care, RayEnd, Scene};
+use super::lane_hull::LANES;
+use super::lines::{LINES, MARGIN, STRIDE};
+use super::near::NearRay;
+use super::sheared::{ResultTile, TILE};
+use super::sliding_hull::SlidingHull;
+use super::{MAX_ELEVATION_RADIANS, Method};
 
-/// Bakes one direction of a map.
-pub(crate) fn bake_layer(field: &HeightField, params: &HorizonParams, direction: u32, layer: &mut LayerMut) {
-    let step = RayStep::new(params.azimuths.vector(direction), field.grid().spacing);
-    let relief = Relief::new(field, Octant::new(step, field.grid()), MARGIN);
-    let ray = Ray::new(&relief, params.radius);
-    let profiles = [Profile::new(&ray), Profile::new(&ray), Profile::new(&ray)];
-    // Along an axis every ray runs on its strip's first line, and no other profile could tell it more.
-    let in_use = if relief.octant.tilt == 0.0 { 1 } else { profiles.len() };
-    let mut sweep = StripSweep { relief: &relief, ray: &ray, profiles, in_use };
-    let drift = i64::from(ray.drift.rows[relief.octant.majors - 1]);
-    let first_strip = match relief.edge {
-        // A strip that leaves the tile comes in again at the other side.
-        Edge::Wrap => 0,
-        Edge::Clamp => -drift - 1,
-    };
-    for strip in first_strip..relief.octant.minors as i64 {
-        sweep.sweep(strip, layer);
-    }
+/// How much is looked at.
+#[derive(Debug, Clone, Copy)]
+struct Effort {
+    /// Columns looked at without asking the hulls: at least this many.
+    near: usize,
+    /// How many of them wholly.
+    exact: usize,
+    /// Whether the ceiling is followed as well as the line, and the rows that a ray crosses as well as the columns.
+    thorough: bool,
 }
 
-/// One strip at a time, with buffers that outlive it.
-///
-/// Strip `i` lies between the lines that leave column 0 at rows `i` and `i + 1`.
-struct StripSweep<'a> {
-    relief: &'a Relief,
-    ray: &'a Ray,
-    profiles: [Profile; 3],
-    /// How many of the profiles are followed; the hulls of the others stay empty.
-    in_use: usize,
-}
-
-impl StripSweep<'_> {
-    fn sweep(&mut self, strip: i64, layer: &mut LayerMut) {
-        let columns = self.columns_in_sight(strip);
-        let [border, other_border, ceiling] = &mut self.profiles;
-        border.follow_line(self.relief, self.ray, strip, columns);
-        if self.in_use > 1 {
-            other_border.follow_line(self.relief, self.ray, strip + 1, columns);
-            ceiling.follow_ceiling(self.relief, self.ray, strip, columns);
-        }
-        let mut window_start = columns;
-        for column in (self.first_column(strip)..self.relief.octant.majors).rev() {
-            while window_start > column + NEAR_COLUMNS {
-                window_start -= 1;
-                for profile in &mut self.profiles[..self.in_use] {
-                    profile.hull.slide_to(&profile.heights, window_start);
-                }
-            }
-            if let Some(row) = self.texel_row(strip, column) {
-                self.bake_texel((column, row), layer);
-            }
-        }
-    }
-
-    /// A column before which the strip has no texel in the field.
-    fn first_column(&self, strip: i64) -> usize {
-        self.ray.drift.rows.partition_point(|&rows| strip + i64::from(rows) + 1 < 0)
-    }
-
-    /// The row of the one texel that a strip has in a column, if it lies in the field.
-    #[inline]
-    fn texel_row(&self, strip: i64, column: usize) -> Option<usize> {
-        let drift = &self.ray.drift;
-        let row = strip + i64::from(drift.rows[column]) + i64::from(drift.fraction[column] > 0.0);
-        usize::try_from(self.relief.first_row(row)).ok().filter(|&row| row < self.relief.octant.minors)
-    }
-
-    #[inline]
-    fn bake_texel(&mut self, texel: (usize, usize), layer: &mut LayerMut) {
-        let (column, row) = texel;
-        let eye = self.relief.near(self.relief.place(column, row));
-        let far = self
-            .profiles
-            .each_ref()
-            .map(|profile| profile.hull.tangent(&profile.heights, column, eye).map(|position| position - column));
-        let point = self.ray.horizon(self.relief, texel, eye, far);
-        layer.set(self.relief.octant.index(column, row), point);
-    }
-
-    /// How many columns any texel of a strip can see, up to where a clamped field is level for good.
-    fn columns_in_sight(&self, strip: i64) -> usize {
-        let Octant { majors, minors, tilt, .. } = self.relief.octant;
-        let reach = majors + self.ray.columns();
-        match self.relief.edge {
-            Edge::Wrap => reach,
-            Edge::Clamp => {
-                let rows_left = (minors as i64 - 1 - strip).max(0) as f64;
-                let last_row_at = if tilt > 0.0 { (rows_left / tilt).ceil() as usize } else { 0 };
-                reach.min(last_row_at.max(majors - 1).saturating_add(1))
-            }
+impl Effort {
+    fn of(method: Method) -> Self {
+        match method {
+            Method::Sweep => Self { near: 4, exact: 1, thorough: false },
+            Method::Accurate | Method::Exact => Self { near: 8, exact: usize::MAX, thorough: true },
         }
     }
 }
 
-/// Heights along a strip, one per column, and what can be seen of them.
-struct Profile {
-    heights: Vec<f64>,
-    hull: SlidingHull,
+/// Buffers of one thread, kept from block to block.
+pub(crate) struct Workspace {
+    groups: Vec<Group>,
+    near: NearRay,
+    elevation_radians: Box<ResultTile>,
+    distance: Box<ResultTile>,
 }
 
-impl Profile {
-    fn new(ray: &Ray) -> Self {
-        Self { heights: Vec::new(), hull: SlidingHull::new((ray.columns() + 1).saturating_sub(NEAR_COLUMNS)) }
+/// What sixteen lines see.
+struct Group {
+    line: SlidingHull,
+    ceiling: SlidingHull,
+}
+
+impl Workspace {
+    pub(crate) fn new() -> Self {
+        let group = |_| Group { line: SlidingHull::new(), ceiling: SlidingHull::new() };
+        Self {
+            groups: (0..LINES / LANES).map(group).collect(),
+            near: NearRay::new(),
+            elevation_radians: Box::new([[0.0; LINES]; TILE]),
+            distance: Box::new([[0.0; LINES]; TILE]),
+        }
+    }
+}
+
+/// From scaled heights per column to slopes, and from columns to lengths.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Units {
+    pub(crate) slope: f32,
+    pub(crate) length: f32,
+    /// The largest distance that is not beyond the radius.
+    pub(crate) farthest: f32,
+}
+
+/// Takes the results of some columns, at most [`TILE`], elevations in radians and distances in lengths.
+pub(crate) type Sink<'a> = dyn FnMut(std::ops::Range<usize>, &[[f32; LINES]], &[[f32; LINES]]) + 'a;
+
+/// Sweeps a block of lines whose texels lie in `columns`.
+pub(crate) fn sweep_block(
+    scene: Scene<'_>,
+    columns: std::ops::Range<usize>,
+    columns_in_sight: usize,
+    units: Units,
+    method: Method,
+    distance: bool,
+    workspace: &mut Workspace,
+    sink: &mut Sink<'_>,
+) {
+    let block = BlockSweep { scene, columns, columns_in_sight, units };
+    let effort = Effort::of(method);
+    let level = Level::new();
+    match (effort.thorough, distance) {
+        (true, true) => dispatch!(level, simd => block.run::<_, true, true>(simd, effort, workspace, sink)),
+        (true, false) => dispatch!(level, simd => block.run::<_, true, false>(simd, effort, workspace, sink)),
+        (false, true) => dispatch!(level, simd => block.run::<_, false, true>(simd, effort, workspace, sink)),
+        (false, false) => dispatch!(level, simd => block.run::<_, false, false>(simd, effort, workspace, sink)),
+    }
+}
+
+struct BlockSweep<'a> {
+    scene: Scene<'a>,
+    columns: std::ops::Range<usize>,
+    columns_in_sight: usize,
+    units: Units,
+}
+
+impl BlockSweep<'_> {
+    #[inline(always)]
+    fn run<S: Simd, const THOROUGH: bool, const DISTANCE: bool>(
+        &self,
+        simd: S,
+        effort: Effort,
+        workspace: &mut Workspace,
+        sink: &mut Sink<'_>,
+    ) {
+        let Workspace { groups, near, elevation_radians, distance } = workspace;
+        for group in groups.iter_mut() {
+            group.line.restart();
+            group.ceiling.restart();
+        }
+        for column in self.columns.clone().rev() {
+            let sight = Sight::new(self, column, effort);
+            near.follow(self.scene.lines, column, sight.exact, sight.near);
+            let in_tile = column % TILE;
+            for (index, group) in groups.iter_mut().enumerate() {
+                let lane = index * LANES;
+                group.slide::<S, THOROUGH>(simd, &self.scene, lane, &sight);
+                let best = self.look::<S, THOROUGH, DISTANCE>(simd, column, lane, group, near, &sight);
+                self.store(simd, best, lane, &mut elevation_radians[in_tile], &mut distance[in_tile]);
+            }
+            if in_tile == 0 || column == self.columns.start {
+                let end = (column - in_tile + TILE).min(self.columns.end);
+                sink(column..end, &elevation_radians[in_tile..], &distance[in_tile..]);
+            }
+        }
     }
 
-    /// Takes the surface along the line that leaves column 0 at row `line`.
-    fn follow_line(&mut self, relief: &Relief, ray: &Ray, line: i64, columns: usize) {
-        let start = relief.first_row(line);
-        self.heights.clear();
-        self.heights.extend((0..columns).map(|column| {
-            let (upper, lower) = relief.row_pair(column, start + i64::from(ray.drift.rows[column]));
-            upper + (lower - upper) * ray.drift.fraction[column]
-        }));
-        self.hull.restart(columns);
+    #[inline(always)]
+    fn look<S: Simd, const THOROUGH: bool, const DISTANCE: bool>(
+        &self,
+        simd: S,
+        column: usize,
+        lane: usize,
+        group: &Group,
+        near: &NearRay,
+        sight: &Sight,
+    ) -> Best<S, DISTANCE> {
+        let scene = &self.scene;
+        let eye = scene.load(simd, column * STRIDE + MARGIN + lane);
+        let mut best = Best::none(simd);
+        let tilt = scene.lines.octant.tilt as f32;
+        near.consider(simd, tilt, scene.bend, scene.heights, lane, eye, &mut best);
+        if let Some(end) = &sight.end {
+            scene.consider_end(simd, end, lane, eye, &mut best);
+        }
+        if sight.blocks.is_some() {
+            let line = &group.line;
+            let care = if THOROUGH { Care::Columns } else { Care::Point };
+            scene.consider(simd, column, lane, eye, line.nearer(simd), true, care, &mut best);
+            scene.consider(simd, column, lane, eye, line.farther(simd), false, care, &mut best);
+            if THOROUGH {
+                let ceiling = &group.ceiling;
+                let care = Care::ColumnsAndRows;
+                scene.consider(simd, column, lane, eye, ceiling.nearer(simd), true, care, &mut best);
+                scene.consider(simd, column, lane, eye, ceiling.farther(simd), false, care, &mut best);
+            }
+        }
+        best
     }
 
-    /// Takes the highest texel of each column that any ray of the strip comes within a cell of.
-    fn follow_ceiling(&mut self, relief: &Relief, ray: &Ray, strip: i64, columns: usize) {
-        let start = relief.first_row(strip);
-        self.heights.clear();
-        self.heights.extend((0..columns).map(|column| {
-            let first = ray.drift.rows[column.saturating_sub(1)];
-            let last = ray.drift.rows[column + 1] + 2;
-            (first..=last)
-                .map(|row| relief.height(column, (start + i64::from(row)).max(0) as usize))
-                .fold(f64::NEG_INFINITY, f64::max)
-        }));
-        self.hull.restart(columns);
+    #[inline(always)]
+    fn store<S: Simd, const DISTANCE: bool>(
+        &self,
+        simd: S,
+        best: Best<S, DISTANCE>,
+        lane: usize,
+        elevation_radians: &mut [f32; LINES],
+        distance: &mut [f32; LINES],
+    ) {
+        let splat = |value: f32| f32x16::splat(simd, value);
+        let slope = (best.slope + best.distance * self.scene.bend) * self.units.slope;
+        // Adding 0 makes one zero of two.
+        let elevation = (atan(simd, slope) + splat(0.0))
+            .max(splat(-MAX_ELEVATION_RADIANS))
+            .min(splat(MAX_ELEVATION_RADIANS));
+        elevation.store_slice(&mut elevation_radians[lane..lane + LANES]);
+        if DISTANCE {
+            let length = (best.distance * self.units.length).min(splat(self.units.farthest));
+            length.store_slice(&mut distance[lane..lane + LANES]);
+        }
+    }
+}
+
+/// What the texels of a column can see.
+struct Sight {
+    /// Columns looked at without asking the hulls, and how many of them wholly.
+    near: usize,
+    exact: usize,
+    /// The first and the last block that the hulls cover.
+    blocks: Option<(usize, usize)>,
+    /// What lies between the last whole block and the radius.
+    end: Option<RayEnd>,
+}
+
+impl Sight {
+    fn new(sweep: &BlockSweep<'_>, column: usize, effort: Effort) -> Self {
+        let lines = sweep.scene.lines;
+        let first = column / BLOCK + effort.near / BLOCK + 1;
+        let near = first * BLOCK - column;
+        let exact = effort.exact.min(near);
+        let in_reach = (column + lines.radius as usize + 1) / BLOCK;
+        let blocks_end = in_reach.min((sweep.columns_in_sight - 1) / BLOCK);
+        let blocks = (blocks_end > first).then(|| (first, blocks_end - 1));
+        let end = (lines.radius > exact as f64).then(|| {
+            let after = effort.thorough.then(|| first.max(blocks_end) * BLOCK);
+            RayEnd::new(lines, column, after, sweep.columns_in_sight)
+        });
+        Self { near, exact, blocks, end }
+    }
+}
+
+impl Group {
+    #[inline(always)]
+    fn slide<S: Simd, const THOROUGH: bool>(&mut self, simd: S, scene: &Scene<'_>, lane: usize, sight: &Sight) {
+        let Some((first, last)) = sight.blocks else { return };
+        self.line.slide_to(simd, first, last, scene.bend, #[inline(always)] |block| scene.line_point(simd, lane, block));
+        if THOROUGH {
+            self.ceiling.slide_to(simd, first, last, scene.bend, #[inline(always)] |block| scene.ceiling_point(simd, lane, block));
+        }
     }
 }

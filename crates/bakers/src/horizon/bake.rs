@@ -1,0 +1,110 @@
+//! Blocks of lines handed to threads, and what they find written where it belongs.
+
+use std::sync::Mutex;
+
+use barchan_asset::f32_at_most;
+use barchan_field::HeightField;
+
+use super::far::Scene;
+use super::bands::{BAND_ROWS, Bands};
+use super::lines::{LINES, Lines};
+use super::map::LayerMut;
+use super::sheared::{HeightScale, Sheared};
+use super::sweep::{Units, Workspace, sweep_block};
+use super::{HorizonLayer, HorizonMap, HorizonParams};
+use crate::{BakeError, Exec};
+
+/// Bakes all directions at once: the same bytes for any number of threads.
+pub fn bake(field: &HeightField, params: &HorizonParams, exec: &Exec) -> Result<HorizonMap, BakeError> {
+    HorizonMap::fill(field, params, |layers| fill(field, params, exec, layers.into_iter().zip(0..)))
+}
+
+/// Bakes one direction into `layer`, which is filled whole: for maps too large to hold in all directions.
+///
+/// # Panics
+/// If the layer was made for another field, or lacks the distances that `params` ask for.
+pub fn bake_direction(
+    field: &HeightField,
+    params: &HorizonParams,
+    direction: u32,
+    exec: &Exec,
+    layer: &mut HorizonLayer,
+) -> Result<(), BakeError> {
+    params.check(field)?;
+    assert_eq!(layer.elevation_radians.len(), field.grid().texels(), "a layer of this field");
+    assert_eq!(layer.distance.is_some(), params.distance, "distances if they are asked for");
+    fill(field, params, exec, std::iter::once((layer.as_mut(), direction)));
+    Ok(())
+}
+
+/// Bakes some directions, a block of lines at a time.
+fn fill<'a>(
+    field: &HeightField,
+    params: &HorizonParams,
+    exec: &Exec,
+    layers: impl Iterator<Item = (LayerMut<'a>, u32)>,
+) {
+    let scale = HeightScale::of(field);
+    let directions: Vec<Direction> =
+        layers.map(|(layer, index)| Direction::new(field, params, index, scale, layer)).collect();
+    let blocks = directions.iter().flat_map(|direction| {
+        direction.lines.blocks().into_iter().map(move |first_line| (direction, first_line))
+    });
+    exec.for_each_with(blocks.collect(), Buffers::new, |buffers, (direction, first_line)| {
+        direction.bake_block(field, params, scale, first_line, buffers);
+    });
+}
+
+/// What a thread keeps from block to block.
+struct Buffers {
+    sheared: Sheared,
+    workspace: Workspace,
+}
+
+impl Buffers {
+    fn new() -> Self {
+        Self { sheared: Sheared::default(), workspace: Workspace::new() }
+    }
+}
+
+/// One direction being baked.
+struct Direction<'a> {
+    lines: Lines,
+    units: Units,
+    width: usize,
+    bands: Vec<Mutex<LayerMut<'a>>>,
+}
+
+impl<'a> Direction<'a> {
+    fn new(field: &HeightField, params: &HorizonParams, index: u32, scale: HeightScale, layer: LayerMut<'a>) -> Self {
+        let lines = Lines::new(field, params, index);
+        let width = field.grid().width as usize;
+        let length = lines.octant.length_per_major;
+        let slope = (1.0 / (f64::from(scale.factor) * length)) as f32;
+        let units =
+            Units { slope: slope.min(f32::MAX), length: length as f32, farthest: f32_at_most(params.radius) };
+        let bands = layer.bands(width, BAND_ROWS).into_iter().map(Mutex::new).collect();
+        Self { lines, units, width, bands }
+    }
+
+    fn bake_block(
+        &self,
+        field: &HeightField,
+        params: &HorizonParams,
+        scale: HeightScale,
+        first_line: i64,
+        buffers: &mut Buffers,
+    ) {
+        let lines = &self.lines;
+        let columns = lines.columns_with_texels(first_line);
+        let columns_in_sight = lines.columns_in_sight(first_line);
+        buffers.sheared.take(field, lines, first_line, columns_in_sight, scale.factor);
+        let scene = Scene { lines, heights: &buffers.sheared.heights, datum: scale.datum, bend: 0.0 };
+        let bands = Bands { bands: &self.bands, width: self.width };
+        let mut write = |columns: std::ops::Range<usize>, elevations: &[[f32; LINES]], distances: &[[f32; LINES]]| {
+            bands.write(lines, first_line, columns, elevations, distances);
+        };
+        let workspace = &mut buffers.workspace;
+        sweep_block(scene, columns, columns_in_sight, self.units, params.method, params.distance, workspace, &mut write);
+    }
+}
