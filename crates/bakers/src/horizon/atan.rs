@@ -13,7 +13,8 @@ pub(crate) fn atan<S: Simd>(simd: S, slope: f32x16<S>) -> f32x16<S> {
     let size = slope.abs();
     let steep = size.simd_gt(splat(TAN_67_5));
     let middle = size.simd_gt(splat(TAN_22_5));
-    let turned = steep.select(splat(std::f32::consts::FRAC_PI_2), middle.select(splat(std::f32::consts::FRAC_PI_4), zero));
+    let turned =
+        steep.select(splat(std::f32::consts::FRAC_PI_2), middle.select(splat(std::f32::consts::FRAC_PI_4), zero));
     let numerator = steep.select(zero - one, middle.select(size - one, size));
     let denominator = steep.select(size, middle.select(size + one, one));
     let x = numerator / denominator;
@@ -59,8 +60,7 @@ mod tests {
             angles
         });
         use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
-        let expected =
-            [FRAC_PI_2, -FRAC_PI_2, FRAC_PI_2, 0.0, 0.0, f32::MIN_POSITIVE, FRAC_PI_4, -FRAC_PI_4];
+        let expected = [FRAC_PI_2, -FRAC_PI_2, FRAC_PI_2, 0.0, 0.0, f32::MIN_POSITIVE, FRAC_PI_4, -FRAC_PI_4];
         assert_eq!(angles[..8], expected);
     }
 }

@@ -5,8 +5,8 @@ use std::sync::Mutex;
 use barchan_asset::f32_at_most;
 use barchan_field::HeightField;
 
-use super::far::Scene;
 use super::bands::{BAND_ROWS, Bands};
+use super::far::Scene;
 use super::lines::{LINES, Lines};
 use super::map::LayerMut;
 use super::sheared::{HeightScale, Sheared};
@@ -47,9 +47,9 @@ fn fill<'a>(
     let scale = HeightScale::of(field);
     let directions: Vec<Direction> =
         layers.map(|(layer, index)| Direction::new(field, params, index, scale, layer)).collect();
-    let blocks = directions.iter().flat_map(|direction| {
-        direction.lines.blocks().into_iter().map(move |first_line| (direction, first_line))
-    });
+    let blocks = directions
+        .iter()
+        .flat_map(|direction| direction.lines.blocks().into_iter().map(move |first_line| (direction, first_line)));
     exec.for_each_with(blocks.collect(), Buffers::new, |buffers, (direction, first_line)| {
         direction.bake_block(field, params, scale, first_line, buffers);
     });
@@ -81,8 +81,7 @@ impl<'a> Direction<'a> {
         let width = field.grid().width as usize;
         let length = lines.octant.length_per_major;
         let slope = (1.0 / (f64::from(scale.factor) * length)) as f32;
-        let units =
-            Units { slope: slope.min(f32::MAX), length: length as f32, farthest: f32_at_most(params.radius) };
+        let units = Units { slope: slope.min(f32::MAX), length: length as f32, farthest: f32_at_most(params.radius) };
         let bands = layer.bands(width, BAND_ROWS).into_iter().map(Mutex::new).collect();
         Self { lines, units, width, bands }
     }
@@ -105,6 +104,15 @@ impl<'a> Direction<'a> {
             bands.write(lines, first_line, columns, elevations, distances);
         };
         let workspace = &mut buffers.workspace;
-        sweep_block(scene, columns, columns_in_sight, self.units, params.method, params.distance, workspace, &mut write);
+        sweep_block(
+            scene,
+            columns,
+            columns_in_sight,
+            self.units,
+            params.method,
+            params.distance,
+            workspace,
+            &mut write,
+        );
     }
 }

@@ -27,6 +27,26 @@ pub(crate) enum Care {
     ColumnsAndRows,
 }
 
+/// How to look at what a hull names.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Look {
+    pub(crate) care: Care,
+    /// How many columns share an answer of the hull, 1, 2 or 4: what one sees highest, its neighbour rarely misses.
+    pub(crate) every: usize,
+}
+
+/// What a hull named last, and from where it was asked.
+pub(crate) struct Seen {
+    from: usize,
+    columns: [usize; LANES],
+}
+
+impl Seen {
+    pub(crate) fn nothing() -> Self {
+        Self { from: usize::MAX, columns: [0; LANES] }
+    }
+}
+
 /// The relief as the lines of a block of lines see it.
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'a> {
@@ -45,23 +65,33 @@ impl Scene<'_> {
     /// The highest sample on the line among the columns of a block, above the datum.
     #[inline(always)]
     pub(crate) fn line_point<S: Simd>(&self, simd: S, lane: usize, block: usize) -> Points<S> {
-        highest_of_block(simd, block, #[inline(always)] |column| {
-            let crossing = -self.lines.offset[column];
-            let row = floor_within_one(crossing);
-            let place = (column * STRIDE + MARGIN + lane).wrapping_add_signed(row as isize);
-            let (upper, lower) = (self.load(simd, place), self.load(simd, place + 1));
-            (upper - self.datum) + (lower - upper) * (crossing - row)
-        })
+        highest_of_block(
+            simd,
+            block,
+            #[inline(always)]
+            |column| {
+                let crossing = -self.lines.offset[column];
+                let row = floor_within_one(crossing);
+                let place = (column * STRIDE + MARGIN + lane).wrapping_add_signed(row as isize);
+                let (upper, lower) = (self.load(simd, place), self.load(simd, place + 1));
+                (upper - self.datum) + (lower - upper) * (crossing - row)
+            },
+        )
     }
 
     /// The highest texel among those that a ray within half a texel of the line touches in the columns of a block.
     #[inline(always)]
     pub(crate) fn ceiling_point<S: Simd>(&self, simd: S, lane: usize, block: usize) -> Points<S> {
-        highest_of_block(simd, block, #[inline(always)] |column| {
-            let place = column * STRIDE + MARGIN + lane;
-            let (before, after) = (self.load(simd, place - 1), self.load(simd, place + 1));
-            self.load(simd, place).max(before).max(after) - self.datum
-        })
+        highest_of_block(
+            simd,
+            block,
+            #[inline(always)]
+            |column| {
+                let place = column * STRIDE + MARGIN + lane;
+                let (before, after) = (self.load(simd, place - 1), self.load(simd, place + 1));
+                self.load(simd, place).max(before).max(after) - self.datum
+            },
+        )
     }
 
     /// Follows the rays from `column` through the block in which `part` is seen highest, where that can matter.
@@ -73,28 +103,32 @@ impl Scene<'_> {
         lane: usize,
         eye: f32x16<S>,
         part: Option<Part<'_, S>>,
-        from_top: bool,
-        care: Care,
+        seen: &mut Seen,
+        look: Look,
         best: &mut Best<S, DISTANCE>,
     ) {
         let Some(part) = part else { return };
         if !self.may_be_higher(simd, column, eye, part, best) {
             return;
         }
-        let observer = Points { columns: f32x16::splat(simd, column as f32), heights: eye - self.datum };
-        let seen = if from_top {
-            part.hull.highest_from_top(simd, observer, self.bend)
-        } else {
-            part.hull.highest_from_bottom(simd, observer, self.bend)
-        };
-        let ahead: [f32; LANES] = seen.columns.into();
-        match care {
-            Care::Point => {
-                let columns: [usize; LANES] = std::array::from_fn(#[inline(always)] |l| column + ahead[l] as usize);
-                self.cross::<S, DISTANCE, false>(simd, column, lane, eye, columns, best);
-            }
-            Care::Columns => self.follow::<S, DISTANCE, false>(simd, column, lane, eye, ahead, best),
-            Care::ColumnsAndRows => self.follow::<S, DISTANCE, true>(simd, column, lane, eye, ahead, best),
+        if seen.from / look.every != column / look.every {
+            let observer = Points { columns: f32x16::splat(simd, column as f32), heights: eye - self.datum };
+            let highest = if part.from_top {
+                part.hull.highest_from_top(simd, observer, self.bend)
+            } else {
+                part.hull.highest_from_bottom(simd, observer, self.bend)
+            };
+            let ahead: [f32; LANES] = highest.columns.into();
+            seen.from = column;
+            seen.columns = std::array::from_fn(
+                #[inline(always)]
+                |l| column + ahead[l] as usize,
+            );
+        }
+        match look.care {
+            Care::Point => self.cross::<S, DISTANCE, false>(simd, column, lane, eye, seen.columns, best),
+            Care::Columns => self.follow::<S, DISTANCE, false>(simd, column, lane, eye, seen.columns, best),
+            Care::ColumnsAndRows => self.follow::<S, DISTANCE, true>(simd, column, lane, eye, seen.columns, best),
         }
     }
 
@@ -115,7 +149,7 @@ impl Scene<'_> {
         (part.highest - (eye - self.datum)).simd_gt(needed).any_true()
     }
 
-    /// Each lane's own ray through the columns of the block that lies its number of columns `ahead`.
+    /// Each lane's own ray through the columns of the block in which a column was seen.
     #[inline(always)]
     fn follow<S: Simd, const DISTANCE: bool, const ROWS: bool>(
         &self,
@@ -123,12 +157,14 @@ impl Scene<'_> {
         from: usize,
         lane: usize,
         eye: f32x16<S>,
-        ahead: [f32; LANES],
+        seen: [usize; LANES],
         best: &mut Best<S, DISTANCE>,
     ) {
         for step in 0..BLOCK {
-            let columns: [usize; LANES] =
-                std::array::from_fn(#[inline(always)] |l| (from + ahead[l] as usize) / BLOCK * BLOCK + step);
+            let columns: [usize; LANES] = std::array::from_fn(
+                #[inline(always)]
+                |l| seen[l] / BLOCK * BLOCK + step,
+            );
             self.cross::<S, DISTANCE, ROWS>(simd, from, lane, eye, columns, best);
         }
     }
@@ -164,14 +200,15 @@ impl Scene<'_> {
         let vector = |values: [f32; LANES]| -> f32x16<S> { values.simd_into(simd) };
         let (down, distance, upper, lower) = (vector(down), vector(distance), vector(upper), vector(lower));
         let rise = (upper - eye) + (lower - upper) * down;
-        best.raise(rise / distance - distance * self.bend, distance);
+        // Columns that another texel saw may lie beyond this one's radius.
+        let radius = f32x16::splat(simd, self.lines.radius as f32);
+        best.raise_these(distance.simd_le(radius), rise / distance - distance * self.bend, distance);
         if ROWS {
             let along = (f32x16::splat(simd, 1.0) - down) * (1.0 / tilt);
             let rise = (lower - eye) + (vector(next) - lower) * along;
             let distance = distance + along;
             let slope = rise / distance - distance * self.bend;
-            let crosses = along.simd_lt(f32x16::splat(simd, 1.0))
-                & distance.simd_le(f32x16::splat(simd, self.lines.radius as f32));
+            let crosses = along.simd_lt(f32x16::splat(simd, 1.0)) & distance.simd_le(radius);
             best.raise_these(crosses, slope, distance);
         }
     }

@@ -60,7 +60,13 @@ impl LaneHull {
     /// Adds a point per lane on the side of the observer: nearer than all before.
     #[inline(always)]
     pub(crate) fn push_nearer<S: Simd>(&mut self, simd: S, new: Points<S>, bend: f32) {
-        let depth = self.depth_after_hiding(simd, new, bend, #[inline(always)] |z1_x2, z2_x1| z1_x2.simd_le(z2_x1));
+        let depth = self.depth_after_hiding(
+            simd,
+            new,
+            bend,
+            #[inline(always)]
+            |z1_x2, z2_x1| z1_x2.simd_le(z2_x1),
+        );
         self.put(simd, new, depth);
     }
 
@@ -68,9 +74,18 @@ impl LaneHull {
     #[inline(always)]
     pub(crate) fn push_farther<S: Simd>(&mut self, simd: S, new: Points<S>, bend: f32) -> Undo {
         // Seen back from the new point distances are negative, which turns the comparison around.
-        let depth = self.depth_after_hiding(simd, new, bend, #[inline(always)] |z1_x2, z2_x1| z1_x2.simd_ge(z2_x1));
+        let depth = self.depth_after_hiding(
+            simd,
+            new,
+            bend,
+            #[inline(always)]
+            |z1_x2, z2_x1| z1_x2.simd_ge(z2_x1),
+        );
         self.make_room();
-        let overwritten = std::array::from_fn(#[inline(always)] |lane| self.stack[self.place(depth[lane])][lane]);
+        let overwritten = std::array::from_fn(
+            #[inline(always)]
+            |lane| self.stack[self.place(depth[lane])][lane],
+        );
         let undo = Undo { depth: self.depth, overwritten };
         self.put(simd, new, depth);
         undo
@@ -102,20 +117,17 @@ impl LaneHull {
         let mut depth: u32x16<S> = self.depth.simd_into(simd);
         let mut first = self.points(simd, depth - 1).relative_to(new);
         loop {
-            // Unrolled, since what ends the loop is easier to foresee step by step.
-            for _ in 0..4 {
-                let second = self.points(simd, depth - 2).relative_to(new);
-                let (z1_x2, z2_x1) = first.compared(second, bend);
-                let drop = hidden(z1_x2, z2_x1);
-                if !drop.any_true() {
-                    return depth.into();
-                }
-                depth = drop.select(depth - 1, depth);
-                first = Points {
-                    columns: drop.select(second.columns, first.columns),
-                    heights: drop.select(second.heights, first.heights),
-                };
+            let second = self.points(simd, depth - 2).relative_to(new);
+            let (z1_x2, z2_x1) = first.compared(second, bend);
+            let drop = hidden(z1_x2, z2_x1);
+            if !drop.any_true() {
+                return depth.into();
             }
+            depth = drop.select(depth - 1, depth);
+            first = Points {
+                columns: drop.select(second.columns, first.columns),
+                heights: drop.select(second.heights, first.heights),
+            };
         }
     }
 
@@ -273,8 +285,9 @@ mod tests {
     #[inline(always)]
     fn check_farther<S: Simd>(simd: S, heights: &[[f32; LANES]], bend: f32) {
         let mut hull = LaneHull::new();
-        let undo: Vec<Undo> =
-            (1..heights.len()).map(|column| hull.push_farther(simd, points(simd, column, heights[column]), bend)).collect();
+        let undo: Vec<Undo> = (1..heights.len())
+            .map(|column| hull.push_farther(simd, points(simd, column, heights[column]), bend))
+            .collect();
         for (end, undo) in (1..heights.len()).zip(&undo).rev() {
             let found = hull.highest_from_bottom(simd, points(simd, 0, heights[0]), bend);
             check(simd, found, heights, 1..end + 1, 0, heights[0], bend);

@@ -8,8 +8,8 @@
 
 use barchan_field::{Edge, HeightField};
 
-use super::direction::{Octant, RayStep};
 use super::HorizonParams;
+use super::direction::{Octant, RayStep};
 
 /// Rows kept on both sides of a block's own.
 pub(crate) const MARGIN: usize = 4;

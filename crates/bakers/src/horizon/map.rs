@@ -149,9 +149,6 @@ fn split_layers<'a>(elevation: &'a mut [f32], distance: Option<&'a mut [f32]>, t
     let mut distances = distance.map(|all| all.chunks_exact_mut(texels));
     elevation
         .chunks_exact_mut(texels)
-        .map(|elevation_radians| LayerMut {
-            elevation_radians,
-            distance: distances.as_mut().and_then(Iterator::next),
-        })
+        .map(|elevation_radians| LayerMut { elevation_radians, distance: distances.as_mut().and_then(Iterator::next) })
         .collect()
 }

@@ -29,6 +29,8 @@ pub(crate) struct Part<'a, S: Simd> {
     pub(crate) highest: f32x16<S>,
     /// First and last place.
     pub(crate) places: (usize, usize),
+    /// Whether points arrived from the far side, the nearest last.
+    pub(crate) from_top: bool,
 }
 
 impl SlidingHull {
@@ -79,14 +81,7 @@ impl SlidingHull {
 
     /// Makes `from..=last` the farther part.
     #[inline(always)]
-    fn rebuild<S: Simd>(
-        &mut self,
-        simd: S,
-        from: usize,
-        last: usize,
-        bend: f32,
-        point: &impl Fn(usize) -> Points<S>,
-    ) {
+    fn rebuild<S: Simd>(&mut self, simd: S, from: usize, last: usize, bend: f32, point: &impl Fn(usize) -> Points<S>) {
         (self.start, self.nearer_end) = (from, from);
         self.nearer.clear();
         self.nearer_highest = [f32::NEG_INFINITY; LANES];
@@ -108,6 +103,7 @@ impl SlidingHull {
             hull: &self.nearer,
             highest: self.nearer_highest.simd_into(simd),
             places: (self.start, self.nearer_end - 1),
+            from_top: true,
         })
     }
 
@@ -118,6 +114,7 @@ impl SlidingHull {
             hull: &self.farther,
             highest: (*highest).simd_into(simd),
             places: (self.nearer_end, self.nearer_end + self.farther_places.len() - 1),
+            from_top: false,
         })
     }
 }

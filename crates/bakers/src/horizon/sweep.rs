@@ -9,7 +9,7 @@ use fearless_simd::{Level, Simd, dispatch, f32x16, prelude::*};
 
 use super::atan::atan;
 use super::best::Best;
-use super::far::{BLOCK, Care, RayEnd, Scene};
+use super::far::{BLOCK, Care, Look, RayEnd, Scene, Seen};
 use super::lane_hull::LANES;
 use super::lines::{LINES, MARGIN, STRIDE};
 use super::near::NearRay;
@@ -24,6 +24,8 @@ struct Effort {
     near: usize,
     /// How many of them wholly.
     exact: usize,
+    /// How many columns share an answer of the hulls.
+    every: usize,
     /// Whether the ceiling is followed as well as the line, and the rows that a ray crosses as well as the columns.
     thorough: bool,
 }
@@ -31,8 +33,8 @@ struct Effort {
 impl Effort {
     fn of(method: Method) -> Self {
         match method {
-            Method::Sweep => Self { near: 4, exact: 1, thorough: false },
-            Method::Accurate | Method::Exact => Self { near: 8, exact: usize::MAX, thorough: true },
+            Method::Sweep => Self { near: 4, exact: 1, every: 4, thorough: false },
+            Method::Accurate | Method::Exact => Self { near: 8, exact: usize::MAX, every: 1, thorough: true },
         }
     }
 }
@@ -49,11 +51,16 @@ pub(crate) struct Workspace {
 struct Group {
     line: SlidingHull,
     ceiling: SlidingHull,
+    seen: [Seen; 4],
 }
 
 impl Workspace {
     pub(crate) fn new() -> Self {
-        let group = |_| Group { line: SlidingHull::new(), ceiling: SlidingHull::new() };
+        let group = |_| Group {
+            line: SlidingHull::new(),
+            ceiling: SlidingHull::new(),
+            seen: std::array::from_fn(|_| Seen::nothing()),
+        };
         Self {
             groups: (0..LINES / LANES).map(group).collect(),
             near: NearRay::new(),
@@ -117,6 +124,7 @@ impl BlockSweep<'_> {
         for group in groups.iter_mut() {
             group.line.restart();
             group.ceiling.restart();
+            group.seen = std::array::from_fn(|_| Seen::nothing());
         }
         for column in self.columns.clone().rev() {
             let sight = Sight::new(self, column, effort);
@@ -141,7 +149,7 @@ impl BlockSweep<'_> {
         simd: S,
         column: usize,
         lane: usize,
-        group: &Group,
+        group: &mut Group,
         near: &NearRay,
         sight: &Sight,
     ) -> Best<S, DISTANCE> {
@@ -154,15 +162,15 @@ impl BlockSweep<'_> {
             scene.consider_end(simd, end, lane, eye, &mut best);
         }
         if sight.blocks.is_some() {
-            let line = &group.line;
-            let care = if THOROUGH { Care::Columns } else { Care::Point };
-            scene.consider(simd, column, lane, eye, line.nearer(simd), true, care, &mut best);
-            scene.consider(simd, column, lane, eye, line.farther(simd), false, care, &mut best);
+            let Group { line, ceiling, seen } = group;
+            let [line_near, line_far, ceiling_near, ceiling_far] = seen;
+            let look = Look { care: if THOROUGH { Care::Columns } else { Care::Point }, every: sight.every };
+            scene.consider(simd, column, lane, eye, line.nearer(simd), line_near, look, &mut best);
+            scene.consider(simd, column, lane, eye, line.farther(simd), line_far, look, &mut best);
             if THOROUGH {
-                let ceiling = &group.ceiling;
-                let care = Care::ColumnsAndRows;
-                scene.consider(simd, column, lane, eye, ceiling.nearer(simd), true, care, &mut best);
-                scene.consider(simd, column, lane, eye, ceiling.farther(simd), false, care, &mut best);
+                let look = Look { care: Care::ColumnsAndRows, every: sight.every };
+                scene.consider(simd, column, lane, eye, ceiling.nearer(simd), ceiling_near, look, &mut best);
+                scene.consider(simd, column, lane, eye, ceiling.farther(simd), ceiling_far, look, &mut best);
             }
         }
         best
@@ -180,9 +188,8 @@ impl BlockSweep<'_> {
         let splat = |value: f32| f32x16::splat(simd, value);
         let slope = (best.slope + best.distance * self.scene.bend) * self.units.slope;
         // Adding 0 makes one zero of two.
-        let elevation = (atan(simd, slope) + splat(0.0))
-            .max(splat(-MAX_ELEVATION_RADIANS))
-            .min(splat(MAX_ELEVATION_RADIANS));
+        let elevation =
+            (atan(simd, slope) + splat(0.0)).max(splat(-MAX_ELEVATION_RADIANS)).min(splat(MAX_ELEVATION_RADIANS));
         elevation.store_slice(&mut elevation_radians[lane..lane + LANES]);
         if DISTANCE {
             let length = (best.distance * self.units.length).min(splat(self.units.farthest));
@@ -196,6 +203,7 @@ struct Sight {
     /// Columns looked at without asking the hulls, and how many of them wholly.
     near: usize,
     exact: usize,
+    every: usize,
     /// The first and the last block that the hulls cover.
     blocks: Option<(usize, usize)>,
     /// What lies between the last whole block and the radius.
@@ -215,7 +223,7 @@ impl Sight {
             let after = effort.thorough.then(|| first.max(blocks_end) * BLOCK);
             RayEnd::new(lines, column, after, sweep.columns_in_sight)
         });
-        Self { near, exact, blocks, end }
+        Self { near, exact, every: effort.every, blocks, end }
     }
 }
 
@@ -223,9 +231,23 @@ impl Group {
     #[inline(always)]
     fn slide<S: Simd, const THOROUGH: bool>(&mut self, simd: S, scene: &Scene<'_>, lane: usize, sight: &Sight) {
         let Some((first, last)) = sight.blocks else { return };
-        self.line.slide_to(simd, first, last, scene.bend, #[inline(always)] |block| scene.line_point(simd, lane, block));
+        self.line.slide_to(
+            simd,
+            first,
+            last,
+            scene.bend,
+            #[inline(always)]
+            |block| scene.line_point(simd, lane, block),
+        );
         if THOROUGH {
-            self.ceiling.slide_to(simd, first, last, scene.bend, #[inline(always)] |block| scene.ceiling_point(simd, lane, block));
+            self.ceiling.slide_to(
+                simd,
+                first,
+                last,
+                scene.bend,
+                #[inline(always)]
+                |block| scene.ceiling_point(simd, lane, block),
+            );
         }
     }
 }
