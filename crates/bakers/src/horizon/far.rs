@@ -19,12 +19,10 @@ pub(crate) const BLOCK: usize = 4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Care {
     /// Only in the column of the hull's point.
-    Point,
-    /// In every column.
-    Columns,
+    Column,
     /// In every column, and where the ray crosses a row: at a slight tilt that lies many columns away, and a wall along the
     /// ray is highest there.
-    ColumnsAndRows,
+    Block,
 }
 
 /// How to look at what a hull names.
@@ -112,12 +110,7 @@ impl Scene<'_> {
             return;
         }
         if seen.from / look.every != column / look.every {
-            let observer = Points { columns: f32x16::splat(simd, column as f32), heights: eye - self.datum };
-            let highest = if part.from_top {
-                part.hull.highest_from_top(simd, observer, self.bend)
-            } else {
-                part.hull.highest_from_bottom(simd, observer, self.bend)
-            };
+            let highest = self.highest(simd, column, eye, part);
             let ahead: [f32; LANES] = highest.columns.into();
             seen.from = column;
             seen.columns = std::array::from_fn(
@@ -126,9 +119,163 @@ impl Scene<'_> {
             );
         }
         match look.care {
-            Care::Point => self.cross::<S, DISTANCE, false>(simd, column, lane, eye, seen.columns, best),
-            Care::Columns => self.follow::<S, DISTANCE, false>(simd, column, lane, eye, seen.columns, best),
-            Care::ColumnsAndRows => self.follow::<S, DISTANCE, true>(simd, column, lane, eye, seen.columns, best),
+            Care::Column => self.cross(simd, column, lane, eye, seen.columns, best),
+            Care::Block => self.follow(simd, column, lane, eye, seen.columns, best),
+        }
+    }
+
+    /// Each lane's own ray where it crosses a column.
+    #[inline(always)]
+    fn cross<S: Simd, const DISTANCE: bool>(
+        &self,
+        simd: S,
+        from: usize,
+        lane: usize,
+        eye: f32x16<S>,
+        columns: [usize; LANES],
+        best: &mut Best<S, DISTANCE>,
+    ) {
+        let (mut upper, mut lower) = ([0.0_f32; LANES], [0.0_f32; LANES]);
+        let (mut down, mut distance) = ([0.0_f32; LANES], [0.0_f32; LANES]);
+        for l in 0..LANES {
+            let crossing = self.lines.offset[from] - self.lines.offset[columns[l]];
+            let above = usize::from(crossing < 0.0);
+            let taps = &self.heights[columns[l] * STRIDE + MARGIN + lane + l - above..][..2];
+            (upper[l], lower[l]) = (taps[0], taps[1]);
+            down[l] = crossing + above as f32;
+            distance[l] = (columns[l] - from) as f32;
+        }
+        let vector = |values: [f32; LANES]| -> f32x16<S> { values.simd_into(simd) };
+        let (down, distance, upper, lower) = (vector(down), vector(distance), vector(upper), vector(lower));
+        let rise = (upper - eye) + (lower - upper) * down;
+        // A column that another texel saw may lie beyond this one's radius.
+        let within = distance.simd_le(f32x16::splat(simd, self.lines.radius as f32));
+        best.raise_these(within, rise / distance - distance * self.bend, distance);
+    }
+
+    /// Each lane's own ray through a block: where it crosses the columns, and the rows behind them.
+    #[inline(always)]
+    fn follow<S: Simd, const DISTANCE: bool>(
+        &self,
+        simd: S,
+        from: usize,
+        lane: usize,
+        eye: f32x16<S>,
+        seen: [usize; LANES],
+        best: &mut Best<S, DISTANCE>,
+    ) {
+        let zeros = [[0.0_f32; LANES]; BLOCK];
+        let (mut upper, mut lower, mut next, mut down) = (zeros, zeros, zeros, zeros);
+        let mut first = [0.0_f32; LANES];
+        let here = self.lines.offset[from];
+        for l in 0..LANES {
+            let column = seen[l] / BLOCK * BLOCK;
+            first[l] = (column - from) as f32;
+            let offsets = &self.lines.offset[column..][..BLOCK];
+            let drops = &self.lines.drop[column..][..BLOCK + 1];
+            let heights = &self.heights[column * STRIDE + MARGIN + lane + l - 1..][..BLOCK * STRIDE + 3];
+            for step in 0..BLOCK {
+                let crossing = here - offsets[step];
+                let row = usize::from(crossing >= 0.0);
+                let dropped = usize::from(drops[step + 1] > drops[step]);
+                let at = step * STRIDE + row;
+                (upper[step][l], lower[step][l]) = (heights[at], heights[at + 1]);
+                next[step][l] = heights[at + 1 + STRIDE - dropped];
+                down[step][l] = crossing + 1.0 - row as f32;
+            }
+        }
+        let vector = |values: [f32; LANES]| -> f32x16<S> { values.simd_into(simd) };
+        let radius = f32x16::splat(simd, self.lines.radius as f32);
+        let one = f32x16::splat(simd, 1.0);
+        let columns_per_row = 1.0 / self.lines.octant.tilt as f32;
+        for step in 0..BLOCK {
+            let distance = vector(first) + step as f32;
+            let (upper, lower, down) = (vector(upper[step]), vector(lower[step]), vector(down[step]));
+            let lower_rise = lower - eye;
+            let rise = (upper - eye) + (lower - upper) * down;
+            best.raise(rise / distance - distance * self.bend, distance);
+            let along = (one - down) * columns_per_row;
+            let distance = distance + along;
+            let slope = (lower_rise + (vector(next[step]) - lower) * along) / distance - distance * self.bend;
+            best.raise_these(along.simd_lt(one) & distance.simd_le(radius), slope, distance);
+        }
+    }
+
+    /// Follows the rays of those texels for which the ceiling's tangent is above all that was found, in a block that the
+    /// line did not name: few, so one at a time.
+    #[inline(always)]
+    pub(crate) fn consider_ceiling<S: Simd, const DISTANCE: bool>(
+        &self,
+        simd: S,
+        column: usize,
+        lane: usize,
+        eye: f32x16<S>,
+        part: Option<Part<'_, S>>,
+        line: &Seen,
+        best: &mut Best<S, DISTANCE>,
+    ) {
+        let Some(part) = part else { return };
+        if !self.may_be_higher(simd, column, eye, part, best) {
+            return;
+        }
+        let highest = self.highest(simd, column, eye, part);
+        let slope = highest.heights / highest.columns - highest.columns * self.bend;
+        let mut above = slope.simd_gt(best.slope).to_bitmask();
+        if above == 0 {
+            return;
+        }
+        let (ahead, eyes): ([f32; LANES], [f32; LANES]) = (highest.columns.into(), eye.into());
+        let (mut slopes, mut distances): ([f32; LANES], [f32; LANES]) = (best.slope.into(), best.distance.into());
+        while above != 0 {
+            let l = above.trailing_zeros() as usize % LANES;
+            above &= above - 1;
+            let block = (column + ahead[l] as usize) / BLOCK;
+            if line.from != column || line.columns[l] / BLOCK != block {
+                let found = self.follow_one(column, lane + l, eyes[l], block * BLOCK);
+                if found.0 > slopes[l] || (found.0 == slopes[l] && found.1 > distances[l]) {
+                    (slopes[l], distances[l]) = found;
+                }
+            }
+        }
+        best.slope = slopes.simd_into(simd);
+        best.distance = distances.simd_into(simd);
+    }
+
+    /// The highest point of one texel's ray in the four columns from `first` on, and where it crosses rows behind them.
+    fn follow_one(&self, from: usize, line: usize, eye: f32, first: usize) -> (f32, f32) {
+        let tilt = self.lines.octant.tilt as f32;
+        let radius = self.lines.radius as f32;
+        let mut best = (f32::NEG_INFINITY, 0.0);
+        let mut raise = |rise: f32, distance: f32| {
+            let slope = rise / distance - distance * self.bend;
+            if slope >= best.0 {
+                best = (slope, distance);
+            }
+        };
+        for column in first..first + BLOCK {
+            let crossing = self.lines.offset[from] - self.lines.offset[column];
+            let place = column * STRIDE + MARGIN + line - usize::from(crossing < 0.0);
+            let down = crossing - floor_within_one(crossing);
+            let (upper, lower) = (self.heights[place], self.heights[place + 1]);
+            let distance = (column - from) as f32;
+            raise((upper - eye) + (lower - upper) * down, distance);
+            let along = (1.0 - down) / tilt;
+            if along < 1.0 && distance + along <= radius {
+                let drop = (self.lines.drop[column + 1] - self.lines.drop[column]) as usize;
+                let next = self.heights[place + 1 + STRIDE - drop];
+                raise((lower - eye) + (next - lower) * along, distance + along);
+            }
+        }
+        best
+    }
+
+    #[inline(always)]
+    fn highest<S: Simd>(&self, simd: S, column: usize, eye: f32x16<S>, part: Part<'_, S>) -> Points<S> {
+        let observer = Points { columns: f32x16::splat(simd, column as f32), heights: eye - self.datum };
+        if part.from_top {
+            part.hull.highest_from_top(simd, observer, self.bend)
+        } else {
+            part.hull.highest_from_bottom(simd, observer, self.bend)
         }
     }
 
@@ -147,70 +294,6 @@ impl Scene<'_> {
         let sunk = (self.bend * near * near).min(self.bend * far * far);
         let needed = (best.slope * near).min(best.slope * far) + f32x16::splat(simd, sunk);
         (part.highest - (eye - self.datum)).simd_gt(needed).any_true()
-    }
-
-    /// Each lane's own ray through the columns of the block in which a column was seen.
-    #[inline(always)]
-    fn follow<S: Simd, const DISTANCE: bool, const ROWS: bool>(
-        &self,
-        simd: S,
-        from: usize,
-        lane: usize,
-        eye: f32x16<S>,
-        seen: [usize; LANES],
-        best: &mut Best<S, DISTANCE>,
-    ) {
-        for step in 0..BLOCK {
-            let columns: [usize; LANES] = std::array::from_fn(
-                #[inline(always)]
-                |l| seen[l] / BLOCK * BLOCK + step,
-            );
-            self.cross::<S, DISTANCE, ROWS>(simd, from, lane, eye, columns, best);
-        }
-    }
-
-    /// Each lane's own ray where it crosses a column and, if `ROWS`, where it crosses a row before the next column.
-    #[inline(always)]
-    fn cross<S: Simd, const DISTANCE: bool, const ROWS: bool>(
-        &self,
-        simd: S,
-        from: usize,
-        lane: usize,
-        eye: f32x16<S>,
-        columns: [usize; LANES],
-        best: &mut Best<S, DISTANCE>,
-    ) {
-        let tilt = self.lines.octant.tilt as f32;
-        let (mut down, mut distance) = ([0.0_f32; LANES], [0.0_f32; LANES]);
-        let (mut upper, mut lower) = ([0.0_f32; LANES], [0.0_f32; LANES]);
-        let mut next = [0.0_f32; LANES];
-        for l in 0..LANES {
-            let column = columns[l];
-            let crossing = self.lines.offset[from] - self.lines.offset[column];
-            let row = floor_within_one(crossing);
-            let place = column * STRIDE + MARGIN + lane + l - usize::from(crossing < 0.0);
-            down[l] = crossing - row;
-            distance[l] = (column - from) as f32;
-            (upper[l], lower[l]) = (self.heights[place], self.heights[place + 1]);
-            if ROWS {
-                let drop = (self.lines.drop[column + 1] - self.lines.drop[column]) as usize;
-                next[l] = self.heights[place + 1 + STRIDE - drop];
-            }
-        }
-        let vector = |values: [f32; LANES]| -> f32x16<S> { values.simd_into(simd) };
-        let (down, distance, upper, lower) = (vector(down), vector(distance), vector(upper), vector(lower));
-        let rise = (upper - eye) + (lower - upper) * down;
-        // Columns that another texel saw may lie beyond this one's radius.
-        let radius = f32x16::splat(simd, self.lines.radius as f32);
-        best.raise_these(distance.simd_le(radius), rise / distance - distance * self.bend, distance);
-        if ROWS {
-            let along = (f32x16::splat(simd, 1.0) - down) * (1.0 / tilt);
-            let rise = (lower - eye) + (vector(next) - lower) * along;
-            let distance = distance + along;
-            let slope = rise / distance - distance * self.bend;
-            let crosses = along.simd_lt(f32x16::splat(simd, 1.0)) & distance.simd_le(radius);
-            best.raise_these(crosses, slope, distance);
-        }
     }
 
     /// What the rays from `column` meet between the last whole block within the radius and the radius itself.

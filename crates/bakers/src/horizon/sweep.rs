@@ -51,7 +51,8 @@ pub(crate) struct Workspace {
 struct Group {
     line: SlidingHull,
     ceiling: SlidingHull,
-    seen: [Seen; 4],
+    /// What the nearer and the farther part of the line named last.
+    seen: [Seen; 2],
 }
 
 impl Workspace {
@@ -163,14 +164,16 @@ impl BlockSweep<'_> {
         }
         if sight.blocks.is_some() {
             let Group { line, ceiling, seen } = group;
-            let [line_near, line_far, ceiling_near, ceiling_far] = seen;
-            let look = Look { care: if THOROUGH { Care::Columns } else { Care::Point }, every: sight.every };
-            scene.consider(simd, column, lane, eye, line.nearer(simd), line_near, look, &mut best);
-            scene.consider(simd, column, lane, eye, line.farther(simd), line_far, look, &mut best);
-            if THOROUGH {
-                let look = Look { care: Care::ColumnsAndRows, every: sight.every };
-                scene.consider(simd, column, lane, eye, ceiling.nearer(simd), ceiling_near, look, &mut best);
-                scene.consider(simd, column, lane, eye, ceiling.farther(simd), ceiling_far, look, &mut best);
+            let care = if THOROUGH { Care::Block } else { Care::Column };
+            let look = Look { care, every: sight.every };
+            for (index, seen) in seen.iter_mut().enumerate() {
+                let farther = index == 1;
+                let line_part = if farther { line.farther(simd) } else { line.nearer(simd) };
+                scene.consider(simd, column, lane, eye, line_part, seen, look, &mut best);
+                if THOROUGH {
+                    let ceiling_part = if farther { ceiling.farther(simd) } else { ceiling.nearer(simd) };
+                    scene.consider_ceiling(simd, column, lane, eye, ceiling_part, seen, &mut best);
+                }
             }
         }
         best
