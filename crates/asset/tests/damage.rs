@@ -1,8 +1,8 @@
 //! Damage: every flipped bit and every missing or added byte of a small file is noticed.
 
 use barchan_asset::{
-    Asset, AssetWriter, Codec, Encoding, HorizonTable, LengthUnit, Limits, OpenError, Severity, TableGrid, Wrap,
-    validate,
+    Asset, AssetWriter, Azimuths, Codec, Encoding, HorizonTable, LengthUnit, Limits, OpenError, Severity, TableGrid,
+    Wrap, validate,
 };
 
 /// Two sections, padding of every sort: behind the descriptor, between layers, between sections.
@@ -19,7 +19,7 @@ fn small_file() -> Vec<u8> {
     };
     let values = [0.1, 0.2, 0.3, 0.4, -0.1, -0.2, 1.0, 1.1];
     let mut writer = AssetWriter::new();
-    let table = HorizonTable { grid, directions: 2, radius: 3.0, values: &values };
+    let table = HorizonTable { grid, azimuths: Azimuths::full_circle(2), radius: 3.0, values: &values };
     writer.add_table(table.encode(Encoding::F16).unwrap(), Codec::Raw).unwrap().provenance("{}").unwrap();
     writer.finish().unwrap()
 }

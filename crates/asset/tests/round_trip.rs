@@ -1,7 +1,7 @@
 //! What is written is read back, whatever the encoding, codec, edge and kind; and the same calls give the same bytes.
 
 use barchan_asset::{
-    Asset, AssetWriter, Codec, DistanceTable, DistanceView, EncodeError, Encoding, HeightTable, HeightView,
+    Asset, AssetWriter, Azimuths, Codec, DistanceTable, DistanceView, EncodeError, Encoding, HeightTable, HeightView,
     HorizonTable, HorizonView, LengthUnit, Limits, RawSection, SectionKind, TableGrid, Wrap, WriteError,
     content_identity, validate,
 };
@@ -18,7 +18,7 @@ fn values(count: usize, low: f32, high: f32) -> Vec<f32> {
 
 #[test]
 fn every_encoding_codec_and_edge_reads_back_within_its_error() {
-    let (width, height, directions, radius) = (5, 3, 4, 9.0);
+    let (width, height, azimuths, radius) = (5, 3, Azimuths::full_circle(4), 9.0);
     let elevations = values(60, -0.7, 1.4);
     let distances = values(60, 0.0, 9.0);
     for encoding in Encoding::ALL {
@@ -26,8 +26,8 @@ fn every_encoding_codec_and_edge_reads_back_within_its_error() {
             for wrap in [Wrap::Repeat, Wrap::Clamp] {
                 let grid = grid(width, height, wrap);
                 let mut writer = AssetWriter::new();
-                let horizon = HorizonTable { grid, directions, radius, values: &elevations };
-                let distance = DistanceTable { grid, directions, radius, values: &distances };
+                let horizon = HorizonTable { grid, azimuths, radius, values: &elevations };
+                let distance = DistanceTable { grid, azimuths, radius, values: &distances };
                 let heights = HeightTable { grid, values: &elevations[..15] };
                 writer.add_table(heights.encode(encoding).unwrap(), codec).unwrap();
                 writer.add_table(horizon.encode(encoding).unwrap(), codec).unwrap();
@@ -78,8 +78,12 @@ fn a_row_is_the_values_of_its_texels() {
 
 #[test]
 fn layers_are_256_aligned_and_rows_tight() {
-    let table =
-        HorizonTable { grid: grid(3, 2, Wrap::Clamp), directions: 3, radius: 1.0, values: &values(18, 0.0, 1.0) };
+    let table = HorizonTable {
+        grid: grid(3, 2, Wrap::Clamp),
+        azimuths: Azimuths::full_circle(3),
+        radius: 1.0,
+        values: &values(18, 0.0, 1.0),
+    };
     let table = table.encode(Encoding::F32).unwrap();
     assert_eq!(table.payload().len(), 256 + 256 + 24);
     assert_eq!(table.descriptor().layer_offset(2), 512);
@@ -154,8 +158,12 @@ fn a_rewrite_keeps_what_it_does_not_know() {
 fn illegal_values_are_refused_with_their_place() {
     let grid = grid(2, 1, Wrap::Clamp);
     let height = |values: &[f32]| HeightTable { grid, values }.encode(Encoding::F16);
-    let horizon = |values: &[f32]| HorizonTable { grid, directions: 1, radius: 2.0, values }.encode(Encoding::U8);
-    let distance = |values: &[f32]| DistanceTable { grid, directions: 1, radius: 0.1, values }.encode(Encoding::U8);
+    let horizon = |values: &[f32]| {
+        HorizonTable { grid, azimuths: Azimuths::full_circle(1), radius: 2.0, values }.encode(Encoding::U8)
+    };
+    let distance = |values: &[f32]| {
+        DistanceTable { grid, azimuths: Azimuths::full_circle(1), radius: 0.1, values }.encode(Encoding::U8)
+    };
     let refused = |table: Result<_, EncodeError>| matches!(table, Err(EncodeError::Value { index: 1, .. }));
     assert!(refused(height(&[0.0, f32::NAN])));
     assert!(refused(height(&[0.0, f32::INFINITY])));

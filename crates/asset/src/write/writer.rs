@@ -11,7 +11,7 @@ use crate::asset::{
 };
 use crate::bytes::{CHUNK_ALIGN, SECTION_ALIGN, align_up, put};
 use crate::entry::{CRITICAL, ENTRY_BYTES, Entry, MAX_DESCRIPTOR_BYTES};
-use crate::{Asset, Codec, Limits, MAJOR, MAX_SECTIONS, MINOR, PayloadError, SECTION_VERSION, SectionKind, crc};
+use crate::{Asset, Codec, Limits, MAJOR, MAX_SECTIONS, MINOR, PayloadError, SectionKind, crc};
 
 /// Effort of zstd: the decoder's speed does not depend on it.
 const ZSTD_LEVEL: i32 = 9;
@@ -117,12 +117,14 @@ impl AssetWriter {
         Self::default()
     }
 
-    /// Adds a table as a critical section. [`Codec::Zstd`] is used only where it makes the section smaller.
+    /// Adds a table, as a critical section if [`SectionKind::is_critical`], in the oldest version that can say what it is. [`Codec::Zstd`] is used only where it makes the section smaller.
     ///
     /// # Errors
     /// A kind that is already there, or a failure of the compressor.
     pub fn add_table(&mut self, table: TextureTable, codec: Codec) -> Result<&mut Self, WriteError> {
-        let entry = blank_entry(table.kind(), CRITICAL, SECTION_VERSION);
+        let kind = table.kind();
+        let flags = if kind.is_critical() { CRITICAL } else { 0 };
+        let entry = blank_entry(kind, flags, table.descriptor().section_version());
         let (descriptor, payload) = table.into_parts();
         self.add(entry, descriptor.to_bytes().to_vec(), payload, codec)
     }
@@ -132,7 +134,7 @@ impl AssetWriter {
     /// # Errors
     /// A provenance that is already there, or an empty text.
     pub fn provenance(&mut self, json: &str) -> Result<&mut Self, WriteError> {
-        let entry = blank_entry(SectionKind::PROVENANCE, 0, SECTION_VERSION);
+        let entry = blank_entry(SectionKind::PROVENANCE, 0, 1);
         self.add(entry, Vec::new(), json.as_bytes().to_vec(), Codec::Raw)
     }
 
