@@ -82,7 +82,8 @@ pub use view::TableView;
 pub use views::{DistanceView, HeightView, HorizonView, SweptDistanceView, SweptHorizonView};
 #[cfg(feature = "write")]
 pub use write::{
-    ApertureConeTable, AssetWriter, BentNormalTable, CurvatureSweep, DistanceTable, EncodeError, Encoding,
-    EncodingLoss, HeightTable, HorizonTable, LayerMeasure, RawSection, SkyVisibilityTable, SweptDistanceTable,
-    SweptHorizonTable, TableEncoder, TableFacts, TableGrid, TextureTable, WriteError, content_identity,
+    ApertureConeTable, AssetStream, AssetWriter, BentNormalTable, CurvatureSweep, DistanceTable, EncodeError, Encoding,
+    EncodingLoss, Finished, HeightTable, HorizonTable, LayerMeasure, RawSection, SkyVisibilityTable,
+    SweptDistanceTable, SweptHorizonTable, TableEncoder, TableFacts, TableGrid, TextureTable, WriteError,
+    content_identity,
 };

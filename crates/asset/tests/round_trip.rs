@@ -194,5 +194,5 @@ fn the_writer_refuses_what_no_file_may_hold() {
     assert!(matches!(writer.raw_section(&bad, Codec::Raw), Err(WriteError::Kind { .. })));
     let empty = section(SectionKind(*b"NONE"), b"");
     assert!(matches!(writer.raw_section(&empty, Codec::Raw), Err(WriteError::Empty { .. })));
-    assert!(matches!(AssetWriter::new().finish(), Err(WriteError::SectionCount { found: 0 })));
+    assert!(matches!(AssetWriter::new().finish(), Err(WriteError::SectionCount { found: 0, .. })));
 }
