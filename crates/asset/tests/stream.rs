@@ -122,10 +122,10 @@ fn calls_out_of_turn_are_refused() {
     }
 }
 
-/// Sections `S000`, `S001` and so on.
+/// Sections `0000`, `0001` and so on.
 fn many(writer: &mut AssetWriter, count: usize) -> Result<(), WriteError> {
     for i in 0..count {
-        let name = format!("S{i:03}");
+        let name = format!("{i:04}");
         let kind = SectionKind(name.as_bytes().try_into().unwrap());
         let section = RawSection { kind, critical: false, version: 1, descriptor: b"d", payload: b"p" };
         writer.raw_section(&section, Codec::Raw)?;
