@@ -42,6 +42,12 @@ impl<'a> TableView<'a> {
         &self.descriptor
     }
 
+    /// The decoded payload it was made of.
+    #[must_use]
+    pub fn payload(&self) -> &'a [u8] {
+        self.payload
+    }
+
     /// The stored bytes of a layer: rows tight, ready for upload.
     ///
     /// # Panics

@@ -15,8 +15,8 @@ impl TextureDescriptor {
         self.check_unit()?;
         self.check_encoding()?;
         self.check_range()?;
-        self.check_geometry()?;
-        self.check_sweep()
+        self.check_sweep()?;
+        self.check_geometry()
     }
 
     /// Refuses what version 1 of the descriptor cannot say.
