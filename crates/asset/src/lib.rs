@@ -24,7 +24,8 @@
 //! # Features
 //!
 //! * `zstd` (needs std): `Section::payload` decodes zstd sections within [`Limits`].
-//! * `write` (needs std): `AssetWriter`, the quantiser, the content identity, `validate`, the published `vectors`.
+//! * `write` (needs std): `AssetWriter` in memory and `AssetStream` for tables that are larger, `TableEncoder` and the
+//!   tables that use it, the content identity, `validate`, the published `vectors`.
 //!
 //! # The frame
 //!

@@ -103,8 +103,16 @@ impl<'a> TableView<'a> {
     /// # Panics
     /// If there is no such row.
     pub fn row(&self, layer: u32, row: u32) -> impl ExactSizeIterator<Item = f32> + use<'a> {
-        let transfer = self.descriptor.transfer;
-        self.row_before_transfer(layer, row).map(move |t| transfer.value(t))
+        let (texels, transfer) = (self.row_bytes(layer, row), self.descriptor.transfer);
+        // In a long row there are fewer different bytes than there are bytes, and an arcsine is dear.
+        let bytes_are_few = self.descriptor.format.component() == Component::Unorm8 && texels.len() > 256;
+        let value_of_byte = bytes_are_few
+            .then(|| core::array::from_fn::<f32, 256, _>(|byte| transfer.value(self.number(&[byte as u8], 0))));
+        let (view, numbers) = (*self, self.row_numbers());
+        (0..numbers).map(move |index| match &value_of_byte {
+            Some(values) => values[usize::from(texels[index])],
+            None => transfer.value(view.number(texels, index)),
+        })
     }
 
     /// `scale · stored + bias` along one row, left to right; the channels of a texel follow each other.
@@ -112,11 +120,19 @@ impl<'a> TableView<'a> {
     /// # Panics
     /// If there is no such row.
     pub fn row_before_transfer(&self, layer: u32, row: u32) -> impl ExactSizeIterator<Item = f32> + use<'a> {
+        let (texels, view) = (self.row_bytes(layer, row), *self);
+        (0..self.row_numbers()).map(move |index| view.number(texels, index))
+    }
+
+    fn row_bytes(&self, layer: u32, row: u32) -> &'a [u8] {
         assert!(row < self.descriptor.height, "row {row} of {}", self.descriptor.height);
         let row_bytes = self.descriptor.row_bytes() as usize;
-        let texels = &self.layer(layer)[row as usize * row_bytes..][..row_bytes];
-        let (view, numbers) = (*self, self.descriptor.width as usize * self.descriptor.format.channels() as usize);
-        (0..numbers).map(move |index| view.number(texels, index))
+        &self.layer(layer)[row as usize * row_bytes..][..row_bytes]
+    }
+
+    /// Texels of a row times channels.
+    fn row_numbers(&self) -> usize {
+        self.descriptor.width as usize * self.descriptor.format.channels() as usize
     }
 
     /// `scale · stored + bias` of the `index`th number of `texels`.

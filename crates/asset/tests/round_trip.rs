@@ -77,6 +77,21 @@ fn a_row_is_the_values_of_its_texels() {
 }
 
 #[test]
+fn a_long_row_of_bytes_is_the_values_of_its_texels() {
+    let (width, elevations) = (700, values(700, -1.2, 1.5));
+    let (grid, azimuths) = (grid(width, 1, Wrap::Clamp), Azimuths::full_circle(1));
+    let table = HorizonTable { grid, azimuths, radius: 1.0, values: &elevations };
+    for encoding in [Encoding::U8, Encoding::Compact] {
+        let table = table.encode(encoding).unwrap();
+        let view = table.view().unwrap();
+        let texels: Vec<f32> = (0..width).map(|column| view.value(0, column, 0)).collect();
+        assert_eq!(view.row(0, 0).collect::<Vec<_>>(), texels);
+        let sines: Vec<f32> = (0..width).map(|column| view.before_transfer(0, column, 0, 0)).collect();
+        assert_eq!(view.row_before_transfer(0, 0).collect::<Vec<_>>(), sines);
+    }
+}
+
+#[test]
 fn layers_are_256_aligned_and_rows_tight() {
     let table = HorizonTable {
         grid: grid(3, 2, Wrap::Clamp),

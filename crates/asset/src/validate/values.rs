@@ -59,8 +59,8 @@ impl<'a, 'b> Values<'a, 'b> {
     fn check_row(&mut self, layer: u32, row: u32) -> Result<(), Complaint> {
         let descriptor = *self.table.descriptor();
         let (transfer, channels) = (descriptor.transfer, descriptor.format.channels() as usize);
-        for (index, t) in self.table.row_before_transfer(layer, row).enumerate() {
-            let value = transfer.value(t);
+        let numbers = self.table.row_before_transfer(layer, row).zip(self.table.row(layer, row));
+        for (index, (t, value)) in numbers.enumerate() {
             let place = || format!("texel ({}, {row}) of layer {layer} is {value}", index / channels);
             if !value.is_finite() {
                 return Err(("B0501", format!("{}; values must be finite", place())));
