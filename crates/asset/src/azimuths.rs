@@ -214,5 +214,8 @@ mod tests {
             let _ = (azimuths.neighbours(1.0), azimuths.covers(1.0), azimuths.neighbours(f64::NAN));
         }
         assert!(Azimuths::arc(1.0, 1.0, 1).is_legal());
+        // Degrees at the limit stay within it.
+        assert!(Azimuths::arc(360_f64.to_radians(), 700_f64.to_radians(), 2).is_legal());
+        assert!(Azimuths::arc(-360_f64.to_radians(), -0.01, 9).is_legal());
     }
 }

@@ -57,6 +57,10 @@ enum Place {
 /// Writes a file section by section, layer by layer. The same sections give the same bytes as an
 /// [`crate::AssetWriter`], which is one of these over memory.
 ///
+/// A raw table has its place from the moment it is opened, and needs no memory of its size. A table that is to be
+/// compressed is kept in memory until it is closed. Sections stand in the file in the order in which raw tables were
+/// opened and everything else was completed.
+///
 /// `out` must be empty; it is written from its start, and read back once at the end. An error leaves a file without
 /// its magic, which no reader opens.
 #[derive(Debug)]
