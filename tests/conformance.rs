@@ -13,7 +13,8 @@ const VECTORS: &str = "formats/vectors/v1";
 const WARNED: [(&str, &[&str]); 2] = [("newer-minor", &["B0109", "B0110"]), ("unknown-ancillary", &["B0214"])];
 
 /// Vectors that a reader refuses, the finding and the reason.
-const REFUSED: [(&str, &str, &str); 4] = [
+const REFUSED: [(&str, &str, &str); 5] = [
+    ("newer-section", "B0205", "HORZ"),
     ("newline-damage", "B0102", "newlines or 8-bit characters were altered in a transfer"),
     ("required-feature", "B0107", "the file requires features 0x0000000000010000"),
     ("unknown-critical", "B0204", "NOTE"),

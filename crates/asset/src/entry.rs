@@ -1,7 +1,7 @@
 //! One row of the section table, and the checks that need no other row.
 
 use crate::bytes::{CHUNK_ALIGN, align_up, array_at, first_nonzero, u16_at, u32_at, u64_at};
-use crate::{Codec, SECTION_VERSION, SectionFault, SectionKind};
+use crate::{Codec, SectionFault, SectionKind};
 
 /// Bytes of a row.
 pub(crate) const ENTRY_BYTES: usize = 64;
@@ -70,7 +70,7 @@ impl Entry {
 
     /// Whether this version of the crate knows both the kind and its version.
     pub(crate) fn is_known(&self) -> bool {
-        self.kind.name().is_some() && self.version == SECTION_VERSION
+        self.kind.versions().contains(&self.version)
     }
 
     /// Offset of the payload in the file, or `None` beyond u64.

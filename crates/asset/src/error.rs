@@ -2,10 +2,10 @@
 
 use core::fmt;
 
+use crate::SECTION_VERSION;
+use crate::SectionKind;
 use crate::asset::{HEADER_BYTES, MAGIC, MAJOR, MAX_SECTIONS};
-use crate::descriptor::{DESCRIPTOR_BYTES, SECTION_VERSION};
 use crate::entry::MAX_DESCRIPTOR_BYTES;
-use crate::{SectionKind, Semantic};
 
 /// Why [`crate::Asset::open`] refused a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -216,7 +216,7 @@ impl fmt::Display for SectionFault {
             Self::Flags { found } => write!(f, "flags are {found:#010x}; only bit 0 (critical) is defined"),
             Self::UnknownCritical => write!(f, "the section is critical and this reader does not know its kind"),
             Self::Version { found } => {
-                write!(f, "the section is critical and has version {found}; this reader reads {SECTION_VERSION}")
+                write!(f, "the section is critical and has version {found}; this reader reads 1 to {SECTION_VERSION}")
             }
             Self::Codec { found } => {
                 write!(f, "the section is critical and has codec {found}; 0 (raw) and 1 (zstd) are accepted")
@@ -241,116 +241,3 @@ impl fmt::Display for SectionFault {
 
 impl core::error::Error for OpenError {}
 impl core::error::Error for SectionFault {}
-
-/// Why a texture descriptor, or the payload beside it, was refused.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum DescriptorError {
-    /// The section is not a table of texels.
-    NotATexture {
-        /// The section's kind.
-        kind: SectionKind,
-    },
-    /// The section's version is not supported.
-    Version {
-        /// The section's version.
-        found: u16,
-    },
-    /// The descriptor has another length than 256 bytes.
-    Length {
-        /// Its length in bytes.
-        found: u64,
-    },
-    /// A reserved byte is not zero.
-    Reserved {
-        /// Its offset in the descriptor.
-        offset: usize,
-    },
-    /// A number that stands for nothing.
-    Enumeration {
-        /// The field.
-        field: &'static str,
-        /// Its value.
-        found: u32,
-        /// What would be accepted.
-        accepted: &'static str,
-    },
-    /// A count that is zero or too large.
-    Extent {
-        /// The field.
-        field: &'static str,
-        /// Its value.
-        found: u32,
-        /// The least value accepted.
-        min: u32,
-        /// The greatest value accepted.
-        max: u32,
-    },
-    /// A real number outside what the format allows.
-    Number {
-        /// The field.
-        field: &'static str,
-        /// Its value.
-        found: f64,
-        /// What would be accepted.
-        accepted: &'static str,
-    },
-    /// The semantic is another than expected from the section's kind or the view's type.
-    Semantic {
-        /// The descriptor's semantic.
-        found: Semantic,
-        /// The only semantic accepted.
-        expected: Semantic,
-    },
-    /// The payload's length does not follow from the extent.
-    PayloadLength {
-        /// Bytes there are.
-        found: u64,
-        /// Bytes the extent asks for.
-        expected: u64,
-    },
-}
-
-impl DescriptorError {
-    /// The number of the finding that `validate` reports for this error; listed in `formats/barchan-v1.md`.
-    #[must_use]
-    pub fn id(&self) -> &'static str {
-        match self {
-            Self::NotATexture { .. } => "B0406",
-            Self::Version { .. } => "B0215",
-            Self::Length { .. } => "B0401",
-            Self::Reserved { .. } => "B0402",
-            Self::Enumeration { .. } => "B0403",
-            Self::Extent { .. } => "B0404",
-            Self::Number { .. } => "B0405",
-            Self::Semantic { .. } => "B0406",
-            Self::PayloadLength { .. } => "B0407",
-        }
-    }
-}
-
-impl fmt::Display for DescriptorError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotATexture { kind } => write!(f, "a {kind} section is not a table of texels"),
-            Self::Version { found } => {
-                write!(f, "section version {found} is not supported; this reader reads {SECTION_VERSION}")
-            }
-            Self::Length { found } => {
-                write!(f, "the texture descriptor has {found} bytes; {DESCRIPTOR_BYTES} are accepted")
-            }
-            Self::Reserved { offset } => write!(f, "the reserved descriptor byte at {offset} is not zero"),
-            Self::Enumeration { field, found, accepted } => write!(f, "{field} is {found}; accepted: {accepted}"),
-            Self::Extent { field, found, min, max } => write!(f, "{field} is {found}; {min} to {max} is accepted"),
-            Self::Number { field, found, accepted } => write!(f, "{field} is {found}; accepted: {accepted}"),
-            Self::Semantic { found, expected } => {
-                write!(f, "the table holds {}, but {} was expected", found.name(), expected.name())
-            }
-            Self::PayloadLength { found, expected } => {
-                write!(f, "the payload has {found} bytes; its extent asks for {expected}")
-            }
-        }
-    }
-}
-
-impl core::error::Error for DescriptorError {}

@@ -1,16 +1,24 @@
 //! What a section holds.
 
 use core::fmt;
+use core::ops::RangeInclusive;
+
+use crate::{SECTION_VERSION, Semantic};
 
 /// Four ASCII letters or digits that say what a section holds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SectionKind(pub [u8; 4]);
 
 /// Every kind this version knows, and its name. All lists of kinds derive from this one.
-const KNOWN: [(SectionKind, &str); 4] = [
+const KNOWN: [(SectionKind, &str); 9] = [
     (SectionKind::HEIGHT, "height"),
     (SectionKind::HORIZON, "horizon"),
     (SectionKind::DISTANCE, "distance"),
+    (SectionKind::SWEPT_HORIZON, "swept_horizon"),
+    (SectionKind::SWEPT_DISTANCE, "swept_distance"),
+    (SectionKind::SKY_VISIBILITY, "sky_visibility"),
+    (SectionKind::BENT_NORMAL, "bent_normal"),
+    (SectionKind::APERTURE_CONE, "aperture_cone"),
     (SectionKind::PROVENANCE, "provenance"),
 ];
 
@@ -21,6 +29,16 @@ impl SectionKind {
     pub const HORIZON: Self = Self(*b"HORZ");
     /// Horizontal distances to the horizon point in the field's length unit, one layer per azimuth.
     pub const DISTANCE: Self = Self(*b"DIST");
+    /// Elevation angles in radians of points that become the horizon on a curved base, several layers per azimuth.
+    pub const SWEPT_HORIZON: Self = Self(*b"SWHZ");
+    /// Horizontal distances to those points in the field's length unit.
+    pub const SWEPT_DISTANCE: Self = Self(*b"SWDS");
+    /// Cosine-weighted share of the sky that is seen, in [0, 1].
+    pub const SKY_VISIBILITY: Self = Self(*b"SKYV");
+    /// The mean direction of the visible sky, two components of a unit vector.
+    pub const BENT_NORMAL: Self = Self(*b"BENT");
+    /// The cone of directions towards the visible sky: unit axis and cosine of the half-angle.
+    pub const APERTURE_CONE: Self = Self(*b"CONE");
     /// How the file came about: UTF-8 JSON.
     pub const PROVENANCE: Self = Self(*b"PROV");
 
@@ -29,7 +47,7 @@ impl SectionKind {
         KNOWN.into_iter().map(|(kind, _)| kind)
     }
 
-    /// `height`, `horizon`, `distance` or `provenance`; `None` for a kind this version does not know.
+    /// `height`, `horizon`, `distance` and so on; `None` for a kind this version does not know.
     #[must_use]
     pub fn name(self) -> Option<&'static str> {
         KNOWN.iter().find(|(kind, _)| *kind == self).map(|(_, name)| *name)
@@ -44,7 +62,26 @@ impl SectionKind {
     /// Whether the section is a table of texels, that is, whether [`crate::Section::texture`] applies.
     #[must_use]
     pub fn is_texture(self) -> bool {
+        Semantic::of_kind(self).is_some()
+    }
+
+    /// Whether a writer marks the section as critical: a reader that does not know it must refuse the file. The others
+    /// only refine what these hold.
+    #[must_use]
+    pub fn is_critical(self) -> bool {
         matches!(self, Self::HEIGHT | Self::HORIZON | Self::DISTANCE)
+    }
+
+    /// The section versions that this crate reads; none for a kind it does not know.
+    #[must_use]
+    pub fn versions(self) -> RangeInclusive<u16> {
+        match self {
+            Self::PROVENANCE => 1..=1,
+            Self::HEIGHT | Self::HORIZON | Self::DISTANCE => 1..=SECTION_VERSION,
+            // Born with version 2 of the descriptor they share.
+            _ if self.name().is_some() => 2..=SECTION_VERSION,
+            _ => RangeInclusive::new(1, 0),
+        }
     }
 
     /// Whether all four bytes are ASCII letters or digits, as the format asks.
@@ -78,6 +115,7 @@ mod tests {
             assert_eq!(SectionKind::from_name(kind.name().unwrap()), Some(kind));
         }
         assert_eq!(SectionKind(*b"ZZZZ").name(), None);
+        assert!(SectionKind(*b"ZZZZ").versions().is_empty());
         assert_eq!(SectionKind::from_name("HGHT"), None);
     }
 }

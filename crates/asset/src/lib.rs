@@ -24,7 +24,8 @@
 //! # Features
 //!
 //! * `zstd` (needs std): `Section::payload` decodes zstd sections within [`Limits`].
-//! * `write` (needs std): `AssetWriter`, the quantiser, the content identity, `validate`, the published `vectors`.
+//! * `write` (needs std): `AssetWriter` in memory and `AssetStream` for tables that are larger, `TableEncoder` and the
+//!   tables that use it, the content identity, `validate`, the published `vectors`.
 //!
 //! # The frame
 //!
@@ -36,7 +37,9 @@
 #[cfg(feature = "zstd")]
 extern crate std;
 
+mod angle;
 mod asset;
+mod azimuths;
 mod bytes;
 mod crc;
 mod descriptor;
@@ -49,7 +52,9 @@ mod limits;
 mod payload;
 mod rounding;
 mod section;
+mod sky_views;
 mod terms;
+mod transfer;
 #[cfg(feature = "write")]
 mod validate;
 #[cfg(feature = "write")]
@@ -60,21 +65,26 @@ mod views;
 mod write;
 
 pub use asset::{Asset, MAJOR, MAX_SECTIONS, MINOR};
-pub use descriptor::{MAX_EXTENT, MAX_LAYERS, SECTION_VERSION, TextureDescriptor};
-pub use error::{DescriptorError, OpenError, SectionFault};
+pub use azimuths::Azimuths;
+pub use descriptor::{DescriptorError, MAX_EXTENT, MAX_LAYERS, SECTION_VERSION, TextureDescriptor};
+pub use error::{OpenError, SectionFault};
 pub use kind::SectionKind;
 pub use limits::Limits;
 #[cfg(feature = "zstd")]
 pub use payload::PayloadError;
 pub use rounding::{f32_at_least, f32_at_most};
 pub use section::{Codec, Section};
-pub use terms::{Filter, Format, LengthUnit, MipReducer, Semantic, Unit, Wrap};
+pub use sky_views::{ApertureConeView, BentNormalView, SkyVisibilityView};
+pub use terms::{Component, Filter, Format, LengthUnit, MipReducer, Semantic, Transfer, Unit, Wrap};
+pub use transfer::MAX_ELEVATION;
 #[cfg(feature = "write")]
 pub use validate::{FINDINGS, Finding, FindingKind, Severity, validate};
 pub use view::TableView;
-pub use views::{DistanceView, HeightView, HorizonView, MAX_ELEVATION};
+pub use views::{DistanceView, HeightView, HorizonView, SweptDistanceView, SweptHorizonView};
 #[cfg(feature = "write")]
 pub use write::{
-    AssetWriter, DistanceTable, EncodeError, Encoded, Encoding, HeightTable, HorizonTable, RawSection, TableGrid,
-    TextureTable, WriteError, content_identity, encode,
+    ApertureConeTable, AssetStream, AssetWriter, BentNormalTable, CurvatureSweep, DistanceTable, EncodeError, Encoding,
+    EncodingLoss, Finished, HeightTable, HorizonTable, LayerMeasure, RawSection, SkyVisibilityTable,
+    SweptDistanceTable, SweptHorizonTable, TableEncoder, TableFacts, TableGrid, TextureTable, WriteError,
+    content_identity,
 };

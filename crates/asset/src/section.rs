@@ -1,7 +1,7 @@
 //! One section of an opened file.
 
 use crate::entry::Entry;
-use crate::{DescriptorError, SECTION_VERSION, SectionKind, Semantic, TextureDescriptor, crc};
+use crate::{DescriptorError, SectionKind, Semantic, TextureDescriptor, crc};
 
 /// How a payload is stored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -170,10 +170,10 @@ impl<'a> Section<'a> {
     pub fn texture(&self) -> Result<TextureDescriptor, DescriptorError> {
         let kind = self.kind();
         let expected = Semantic::of_kind(kind).ok_or(DescriptorError::NotATexture { kind })?;
-        if self.version() != SECTION_VERSION {
+        if !self.is_known() {
             return Err(DescriptorError::Version { found: self.version() });
         }
-        let descriptor = TextureDescriptor::parse(self.descriptor_bytes())?;
+        let descriptor = TextureDescriptor::parse(self.descriptor_bytes(), self.version())?;
         descriptor.expect(expected)?;
         let (found, expected) = (self.raw_length(), descriptor.payload_length());
         if found != expected {

@@ -38,25 +38,96 @@ macro_rules! numbered {
 pub enum Format {
     /// One byte k, standing for k / 255.
     R8Unorm,
+    /// Two such bytes.
+    Rg8Unorm,
+    /// Four such bytes.
+    Rgba8Unorm,
     /// One IEEE binary16.
     R16Float,
+    /// Two of them.
+    Rg16Float,
+    /// Four of them.
+    Rgba16Float,
     /// One IEEE binary32; not filterable on every GPU.
     R32Float,
+    /// Two of them.
+    Rg32Float,
+    /// Four of them.
+    Rgba32Float,
 }
 
-numbered!(Format: R8Unorm = 9 "R8_UNORM", R16Float = 76 "R16_SFLOAT", R32Float = 100 "R32_SFLOAT");
+numbered!(Format:
+    R8Unorm = 9 "R8_UNORM", Rg8Unorm = 16 "R8G8_UNORM", Rgba8Unorm = 37 "R8G8B8A8_UNORM",
+    R16Float = 76 "R16_SFLOAT", Rg16Float = 83 "R16G16_SFLOAT", Rgba16Float = 97 "R16G16B16A16_SFLOAT",
+    R32Float = 100 "R32_SFLOAT", Rg32Float = 103 "R32G32_SFLOAT", Rgba32Float = 109 "R32G32B32A32_SFLOAT");
 
-impl Format {
-    /// Bytes of one texel.
+/// How one channel of a texel is stored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Component {
+    /// One byte k, standing for k / 255.
+    Unorm8,
+    /// One IEEE binary16.
+    Float16,
+    /// One IEEE binary32.
+    Float32,
+}
+
+impl Component {
+    /// Bytes of one channel.
     #[must_use]
-    pub fn texel_bytes(self) -> u32 {
+    pub fn bytes(self) -> u32 {
         match self {
-            Self::R8Unorm => 1,
-            Self::R16Float => 2,
-            Self::R32Float => 4,
+            Self::Unorm8 => 1,
+            Self::Float16 => 2,
+            Self::Float32 => 4,
         }
     }
 }
+
+impl Format {
+    /// The formats of version 1 of the descriptor, for messages.
+    pub(crate) const ACCEPTED_IN_VERSION_1: &'static str = "9 (R8_UNORM), 76 (R16_SFLOAT), 100 (R32_SFLOAT)";
+
+    /// How each channel is stored.
+    #[must_use]
+    pub fn component(self) -> Component {
+        match self {
+            Self::R8Unorm | Self::Rg8Unorm | Self::Rgba8Unorm => Component::Unorm8,
+            Self::R16Float | Self::Rg16Float | Self::Rgba16Float => Component::Float16,
+            Self::R32Float | Self::Rg32Float | Self::Rgba32Float => Component::Float32,
+        }
+    }
+
+    /// Numbers in a texel: 1, 2 or 4, interleaved.
+    #[must_use]
+    pub fn channels(self) -> u32 {
+        match self {
+            Self::R8Unorm | Self::R16Float | Self::R32Float => 1,
+            Self::Rg8Unorm | Self::Rg16Float | Self::Rg32Float => 2,
+            Self::Rgba8Unorm | Self::Rgba16Float | Self::Rgba32Float => 4,
+        }
+    }
+
+    /// Bytes of one texel, all channels.
+    #[must_use]
+    pub fn texel_bytes(self) -> u32 {
+        self.channels() * self.component().bytes()
+    }
+}
+
+/// What becomes of `t = scale · stored + bias`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum Transfer {
+    /// t is the value.
+    #[default]
+    Identity,
+    /// t is the sine of the value, an elevation: a shadow test compares sines and never needs the angle.
+    Sine,
+    /// t² is the value, a distance: near points are resolved more finely than far ones.
+    Square,
+}
+
+numbered!(Transfer: Identity = 0 "identity", Sine = 1 "sine", Square = 2 "square");
 
 /// What the texels mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -67,11 +138,39 @@ pub enum Semantic {
     HorizonElevation,
     /// Horizontal distance to the horizon point.
     HorizonDistance,
+    /// Elevation angles of further points that become the horizon where the base surface is curved.
+    SweptElevation,
+    /// Horizontal distances to those points.
+    SweptDistance,
+    /// Cosine-weighted share of the sky that is seen: 1 is open.
+    SkyVisibility,
+    /// The mean direction of the visible sky: its components along u and v.
+    BentNormal,
+    /// The cone of directions towards the visible sky: its axis and the cosine of its half-angle.
+    ApertureCone,
 }
 
-numbered!(Semantic: Height = 1 "height", HorizonElevation = 2 "horizon elevation", HorizonDistance = 3 "horizon distance");
+numbered!(Semantic:
+    Height = 1 "height", HorizonElevation = 2 "horizon elevation", HorizonDistance = 3 "horizon distance",
+    SweptElevation = 4 "swept horizon elevation", SweptDistance = 5 "swept horizon distance",
+    SkyVisibility = 6 "sky visibility", BentNormal = 7 "bent normal", ApertureCone = 8 "aperture cone");
 
 impl Semantic {
+    /// Every semantic, by number.
+    pub const ALL: [Self; 8] = [
+        Self::Height,
+        Self::HorizonElevation,
+        Self::HorizonDistance,
+        Self::SweptElevation,
+        Self::SweptDistance,
+        Self::SkyVisibility,
+        Self::BentNormal,
+        Self::ApertureCone,
+    ];
+
+    /// The semantics of version 1 of the descriptor, for messages.
+    pub(crate) const ACCEPTED_IN_VERSION_1: &'static str = "1 (height), 2 (horizon elevation), 3 (horizon distance)";
+
     /// The kind of section that holds such a table.
     #[must_use]
     pub fn kind(self) -> SectionKind {
@@ -79,19 +178,67 @@ impl Semantic {
             Self::Height => SectionKind::HEIGHT,
             Self::HorizonElevation => SectionKind::HORIZON,
             Self::HorizonDistance => SectionKind::DISTANCE,
+            Self::SweptElevation => SectionKind::SWEPT_HORIZON,
+            Self::SweptDistance => SectionKind::SWEPT_DISTANCE,
+            Self::SkyVisibility => SectionKind::SKY_VISIBILITY,
+            Self::BentNormal => SectionKind::BENT_NORMAL,
+            Self::ApertureCone => SectionKind::APERTURE_CONE,
         }
     }
 
     /// What a section of that kind holds; `None` if it is not a table of texels.
     #[must_use]
     pub fn of_kind(kind: SectionKind) -> Option<Self> {
-        [Self::Height, Self::HorizonElevation, Self::HorizonDistance].into_iter().find(|s| s.kind() == kind)
+        Self::ALL.into_iter().find(|semantic| semantic.kind() == kind)
     }
 
-    /// Whether there is one layer per azimuth.
+    /// Whether layers belong to azimuths.
     #[must_use]
     pub fn is_directional(self) -> bool {
-        self != Self::Height
+        self.is_elevation() || self.is_distance()
+    }
+
+    /// Whether there are several candidates per azimuth.
+    #[must_use]
+    pub fn is_swept(self) -> bool {
+        matches!(self, Self::SweptElevation | Self::SweptDistance)
+    }
+
+    pub(crate) fn is_elevation(self) -> bool {
+        matches!(self, Self::HorizonElevation | Self::SweptElevation)
+    }
+
+    pub(crate) fn is_distance(self) -> bool {
+        matches!(self, Self::HorizonDistance | Self::SweptDistance)
+    }
+
+    /// Numbers in a texel.
+    #[must_use]
+    pub fn channels(self) -> u32 {
+        match self {
+            Self::BentNormal => 2,
+            Self::ApertureCone => 4,
+            _ => 1,
+        }
+    }
+
+    /// The unit of decoded values, where lengths have that unit.
+    #[must_use]
+    pub fn unit(self, length_unit: LengthUnit) -> Unit {
+        match self {
+            Self::HorizonElevation | Self::SweptElevation => Unit::Radian,
+            Self::Height | Self::HorizonDistance | Self::SweptDistance => Unit::Length(length_unit),
+            Self::SkyVisibility | Self::BentNormal | Self::ApertureCone => Unit::None,
+        }
+    }
+
+    /// Whether values may be stored so.
+    pub(crate) fn allows(self, transfer: Transfer) -> bool {
+        match transfer {
+            Transfer::Identity => true,
+            Transfer::Sine => self.is_elevation(),
+            Transfer::Square => self.is_distance(),
+        }
     }
 }
 
@@ -136,11 +283,13 @@ pub enum Unit {
     Radian,
     /// A length; its own numbers in the file.
     Length(LengthUnit),
+    /// No unit: a share, a cosine, a component of a unit vector; 7 in the file.
+    None,
 }
 
 impl Unit {
-    pub(crate) const ACCEPTED: &'static str =
-        "1 (radian), 2 (scene_unit), 3 (metre), 4 (centimetre), 5 (millimetre), 6 (kilometre)";
+    pub(crate) const ACCEPTED: &'static str = "1 (radian), 2 (scene_unit), 3 (metre), 4 (centimetre), 5 (millimetre), 6 (kilometre), \
+         7 (none)";
 
     /// The number in the file.
     #[must_use]
@@ -148,6 +297,7 @@ impl Unit {
         match self {
             Self::Radian => 1,
             Self::Length(length) => length.number(),
+            Self::None => 7,
         }
     }
 
@@ -156,6 +306,7 @@ impl Unit {
     pub fn from_number(number: u32) -> Option<Self> {
         match number {
             1 => Some(Self::Radian),
+            7 => Some(Self::None),
             _ => LengthUnit::from_number(number).map(Self::Length),
         }
     }
@@ -166,6 +317,7 @@ impl Unit {
         match self {
             Self::Radian => "radian",
             Self::Length(length) => length.name(),
+            Self::None => "none",
         }
     }
 
@@ -175,6 +327,7 @@ impl Unit {
         match self {
             Self::Radian => "rad",
             Self::Length(length) => length.symbol(),
+            Self::None => "",
         }
     }
 }
@@ -193,7 +346,7 @@ numbered!(Wrap: Repeat = 1 "repeat", Clamp = 2 "clamp");
 /// How to interpolate between texels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Filter {
-    /// Bilinear within a layer. Layers of a directional table are interpolated by the reader, cyclically.
+    /// Bilinear within a layer. Layers of a directional table are interpolated by the reader: [`crate::Azimuths`].
     Linear,
 }
 
@@ -218,21 +371,27 @@ mod tests {
 
     #[test]
     fn numbers_read_back_and_zero_means_nothing() {
-        for number in 1..=6 {
+        for number in 1..=7 {
             assert_eq!(Unit::from_number(number).unwrap().number(), number);
         }
-        for format in [Format::R8Unorm, Format::R16Float, Format::R32Float] {
-            assert_eq!(Format::from_number(format.number()), Some(format));
+        for number in [9, 16, 37, 76, 83, 97, 100, 103, 109] {
+            let format = Format::from_number(number).unwrap();
+            assert_eq!((format.number(), format.texel_bytes() % format.channels()), (number, 0));
+        }
+        for semantic in Semantic::ALL {
+            assert_eq!(Semantic::from_number(semantic.number()), Some(semantic));
+            assert_eq!(Semantic::of_kind(semantic.kind()), Some(semantic));
         }
         assert_eq!(Unit::from_number(0), None);
         assert_eq!(LengthUnit::from_number(1), None);
         assert_eq!(Wrap::from_number(0), None);
         assert_eq!(MipReducer::from_number(0), None);
+        assert_eq!(Transfer::from_number(0), Some(Transfer::Identity));
     }
 
     #[test]
     fn messages_list_what_is_accepted() {
-        assert_eq!(Format::ACCEPTED, "9 (R8_UNORM), 76 (R16_SFLOAT), 100 (R32_SFLOAT)");
+        assert!(Format::ACCEPTED.starts_with("9 (R8_UNORM), 16 (R8G8_UNORM), "));
         assert_eq!(Filter::ACCEPTED, "1 (linear)");
     }
 }

@@ -3,6 +3,8 @@
 //! A published vector never changes. The vectors are the conformance suite: a reader in any language must read those in
 //! the folder itself to the values that `tests/vectors.rs` states, and refuse those under `refused/`.
 
+use core::f64::consts::FRAC_PI_4;
+use core::ops::Range;
 use std::vec;
 use std::vec::Vec;
 
@@ -11,10 +13,11 @@ use crate::asset::{
     SECTION_COUNT_AT, table_end,
 };
 use crate::bytes::{put, u32_at};
-use crate::entry::{ENTRY_BYTES, Entry};
+use crate::entry::{ENTRY_BYTES, Entry, VERSION_AT};
 use crate::{
-    AssetWriter, Codec, DistanceTable, Encoding, HeightTable, HorizonTable, LengthUnit, MAX_ELEVATION, MAX_SECTIONS,
-    RawSection, SectionKind, TableGrid, Wrap, WriteError, crc,
+    ApertureConeTable, AssetWriter, Azimuths, BentNormalTable, Codec, CurvatureSweep, DistanceTable, Encoding,
+    HeightTable, HorizonTable, LengthUnit, MAX_ELEVATION, MAX_SECTIONS, RawSection, SectionKind, SkyVisibilityTable,
+    SweptDistanceTable, SweptHorizonTable, TableGrid, Wrap, WriteError, crc,
 };
 
 /// One published file.
@@ -44,9 +47,16 @@ pub fn all() -> Result<Vec<Vector>, WriteError> {
         vector("horizon-f32-extremes", extremes()?),
         vector("horizon-distance-f16", directional(Encoding::F16, Codec::Raw)?),
         vector("horizon-distance-u8-zstd", directional(Encoding::U8, Codec::Zstd)?),
+        vector("horizon-distance-compact", directional(Encoding::Compact, Codec::Raw)?),
+        vector("horizon-arc", arc()?),
+        vector("swept-horizon", swept()?),
+        vector("sky-f32", sky(Encoding::F32)?),
+        vector("sky-f16", sky(Encoding::F16)?),
+        vector("sky-compact", sky(Encoding::Compact)?),
         vector("unknown-ancillary", with_note(false)?),
         vector("newer-minor", newer_minor()?),
         vector("refused/unknown-critical", with_note(true)?),
+        vector("refused/newer-section", newer_section()?),
         vector("refused/unknown-major", patched(&[(MAJOR_AT, &[2, 0])])?),
         vector("refused/required-feature", patched(&[(REQUIRED_AT, &[0, 0, 1])])?),
         vector("refused/newline-damage", newline_damage()?),
@@ -97,7 +107,7 @@ fn extremes() -> Result<Vec<u8>, WriteError> {
     let grid = TableGrid { width: 1, height: 1, length_unit: LengthUnit::SceneUnit, ..grid(Wrap::Clamp, Wrap::Clamp) };
     let values = [MAX_ELEVATION, 0.0, -MAX_ELEVATION];
     let mut writer = AssetWriter::new();
-    let table = HorizonTable { grid, directions: 3, radius: 1e-3, values: &values };
+    let table = HorizonTable { grid, azimuths: Azimuths::full_circle(3), radius: 1e-3, values: &values };
     writer.add_table(table.encode(Encoding::F32)?, Codec::Raw)?;
     writer.finish()
 }
@@ -110,12 +120,97 @@ fn directional(encoding: Encoding, codec: Codec) -> Result<Vec<u8>, WriteError> 
     };
     let elevations = texels(|k, column, _| -0.5 + k / 4.0 + column / 16.0);
     let distances = texels(|k, _, row| k + row / 4.0);
-    let (directions, radius) = (4, 8.0);
+    let (azimuths, radius) = (Azimuths::full_circle(4), 8.0);
     let mut writer = AssetWriter::new();
-    writer.add_table(HorizonTable { grid, directions, radius, values: &elevations }.encode(encoding)?, codec)?;
-    writer.add_table(DistanceTable { grid, directions, radius, values: &distances }.encode(encoding)?, codec)?;
+    writer.add_table(HorizonTable { grid, azimuths, radius, values: &elevations }.encode(encoding)?, codec)?;
+    writer.add_table(DistanceTable { grid, azimuths, radius, values: &distances }.encode(encoding)?, codec)?;
     writer.provenance("{\"made_by\":\"barchan vectors\"}")?;
     writer.finish()
+}
+
+/// The elevation of the arc vector's one row: layer k of azimuths −45°, 0° and 45°, `column` 0 or 1.
+#[must_use]
+pub fn arc_elevation(layer: u32, column: u32) -> f32 {
+    layer as f32 / 4.0 - column as f32 / 8.0
+}
+
+fn arc() -> Result<Vec<u8>, WriteError> {
+    let grid = TableGrid { width: 2, height: 1, ..grid(Wrap::Clamp, Wrap::Clamp) };
+    let values: Vec<f32> = (0..3).flat_map(|k| [0, 1].map(|column| arc_elevation(k, column))).collect();
+    let azimuths = Azimuths::arc(-FRAC_PI_4, FRAC_PI_4, 3);
+    let mut writer = AssetWriter::new();
+    writer
+        .add_table(HorizonTable { grid, azimuths, radius: 2.0, values: &values }.encode(Encoding::F16)?, Codec::Raw)?;
+    writer.finish()
+}
+
+/// Elevation and distance of the swept vector's one texel: the horizon is candidate 0, the others follow.
+#[must_use]
+pub fn swept_point(candidate: u32, direction: u32) -> (f32, f32) {
+    (0.75 - candidate as f32 / 4.0 + direction as f32 / 16.0, (1 + candidate + direction) as f32 / 2.0)
+}
+
+fn swept() -> Result<Vec<u8>, WriteError> {
+    let grid = TableGrid { width: 1, height: 1, ..grid(Wrap::Repeat, Wrap::Repeat) };
+    let points = |candidates: Range<u32>| -> (Vec<f32>, Vec<f32>) {
+        candidates.flat_map(|candidate| [0, 1, 2].map(|direction| swept_point(candidate, direction))).unzip()
+    };
+    let (azimuths, radius) = (Azimuths::full_circle(3), 4.0);
+    let sweep = CurvatureSweep { candidates: 2, curvature_min: -0.5, curvature_max: 0.25 };
+    let ((first, first_distance), (others, distances)) = (points(0..1), points(1..3));
+    let encoding = Encoding::Compact;
+    let horizon = HorizonTable { grid, azimuths, radius, values: &first }.encode(encoding)?;
+    let distance = DistanceTable { grid, azimuths, radius, values: &first_distance }.encode(encoding)?;
+    let swept_horizon = SweptHorizonTable { grid, azimuths, radius, sweep, values: &others }.encode(encoding)?;
+    let swept_distance = SweptDistanceTable { grid, azimuths, radius, sweep, values: &distances }.encode(encoding)?;
+    let mut writer = AssetWriter::new();
+    for table in [horizon, distance, swept_horizon, swept_distance] {
+        writer.add_table(table, Codec::Raw)?;
+    }
+    writer.finish()
+}
+
+/// What the four texels of the sky vectors see: everything, half, a slanted cone, nothing.
+pub const SKY: [SkyTexel; 4] = [
+    SkyTexel { visibility: 1.0, axis: [0.0, 0.0, 1.0], cosine: 0.0 },
+    SkyTexel { visibility: 0.5, axis: [-0.6, 0.0, 0.8], cosine: 0.25 },
+    SkyTexel { visibility: 0.125, axis: [0.28, 0.96, 0.0], cosine: 0.875 },
+    SkyTexel { visibility: 0.0, axis: [0.0, 0.0, 1.0], cosine: 1.0 },
+];
+
+/// A texel of the sky vectors; the bent normal is the cone's axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SkyTexel {
+    /// The visible share of the sky.
+    pub visibility: f32,
+    /// The mean direction: u, v, height.
+    pub axis: [f32; 3],
+    /// The cosine of the cone's half-angle.
+    pub cosine: f32,
+}
+
+fn sky(encoding: Encoding) -> Result<Vec<u8>, WriteError> {
+    let (grid, radius) = (TableGrid { width: 2, height: 2, ..grid(Wrap::Repeat, Wrap::Clamp) }, 16.0);
+    let visibility = SKY.map(|texel| texel.visibility);
+    let bent: Vec<f32> = SKY.iter().flat_map(|texel| [texel.axis[0], texel.axis[1]]).collect();
+    let cone: Vec<f32> = SKY.iter().flat_map(|texel| texel.axis.into_iter().chain([texel.cosine])).collect();
+    let mut writer = AssetWriter::new();
+    for table in [
+        SkyVisibilityTable { grid, radius, values: &visibility }.encode(encoding)?,
+        BentNormalTable { grid, radius, values: &bent }.encode(encoding)?,
+        ApertureConeTable { grid, radius, values: &cone }.encode(encoding)?,
+    ] {
+        writer.add_table(table, Codec::Raw)?;
+    }
+    writer.finish()
+}
+
+/// A horizon in a section version that is yet to come.
+fn newer_section() -> Result<Vec<u8>, WriteError> {
+    let mut file = extremes()?;
+    put(&mut file, HEADER_BYTES + VERSION_AT, &[3, 0]);
+    reseal(&mut file);
+    Ok(file)
 }
 
 /// Heights and a section of a kind that version 1 does not know.

@@ -2,13 +2,14 @@
 
 use crate::bytes::{array_at, u16_at};
 use crate::half::f16_to_f32;
-use crate::{DescriptorError, Format, TextureDescriptor};
+use crate::{Component, DescriptorError, TextureDescriptor};
 
 /// A descriptor and its decoded payload, checked once to belong together.
 ///
 /// # Decoding
-/// `value = scale · stored + bias` in f32, the product rounded before the sum is; `stored` is k / 255 rounded to f32,
-/// the half, or the float. A shader may fuse the two or flush subnormals: the descriptor's worst-case error covers that.
+/// `t = scale · stored + bias` in f32, the product rounded before the sum is; `stored` is k / 255 rounded to f32, the
+/// half, or the float. The value is [`crate::Transfer::value`] of t. A shader may fuse product and sum or flush
+/// subnormals: the descriptor's worst-case error covers that.
 ///
 /// # Trust
 /// The payload's numbers are not looked at here. A hostile file can hold NaN or values outside the stated range:
@@ -41,6 +42,12 @@ impl<'a> TableView<'a> {
         &self.descriptor
     }
 
+    /// The decoded payload it was made of.
+    #[must_use]
+    pub fn payload(&self) -> &'a [u8] {
+        self.payload
+    }
+
     /// The stored bytes of a layer: rows tight, ready for upload.
     ///
     /// # Panics
@@ -60,35 +67,80 @@ impl<'a> TableView<'a> {
         self.payload.get(start as usize..end as usize).unwrap_or(&[])
     }
 
-    /// The decoded value of one texel, in the descriptor's unit.
+    /// The decoded value of one texel, in the descriptor's unit; of its first channel if there are several.
     ///
     /// # Panics
     /// If there is no such texel.
     #[must_use]
     pub fn value(&self, layer: u32, column: u32, row: u32) -> f32 {
-        let TextureDescriptor { width, height, .. } = self.descriptor;
-        assert!(column < width && row < height, "texel ({column}, {row}) of {width} × {height}");
-        self.decode(self.layer(layer), row as usize * width as usize + column as usize)
+        self.channel(layer, column, row, 0)
     }
 
-    /// The decoded values of one row, left to right.
+    /// The decoded value of one channel of a texel.
+    ///
+    /// # Panics
+    /// If there is no such texel or channel.
+    #[must_use]
+    pub fn channel(&self, layer: u32, column: u32, row: u32, channel: u32) -> f32 {
+        self.descriptor.transfer.value(self.before_transfer(layer, column, row, channel))
+    }
+
+    /// `scale · stored + bias` of one channel of a texel: with [`crate::Transfer::Sine`] the sine of the elevation.
+    ///
+    /// # Panics
+    /// If there is no such texel or channel.
+    #[must_use]
+    pub fn before_transfer(&self, layer: u32, column: u32, row: u32, channel: u32) -> f32 {
+        let TextureDescriptor { width, height, format, .. } = self.descriptor;
+        assert!(column < width && row < height, "texel ({column}, {row}) of {width} × {height}");
+        assert!(channel < format.channels(), "channel {channel} of {}", format.channels());
+        let texel = row as usize * width as usize + column as usize;
+        self.number(self.layer(layer), texel * format.channels() as usize + channel as usize)
+    }
+
+    /// The decoded values of one row, left to right; the channels of a texel follow each other.
     ///
     /// # Panics
     /// If there is no such row.
     pub fn row(&self, layer: u32, row: u32) -> impl ExactSizeIterator<Item = f32> + use<'a> {
-        assert!(row < self.descriptor.height, "row {row} of {}", self.descriptor.height);
-        let row_bytes = self.descriptor.row_bytes() as usize;
-        let texels = &self.layer(layer)[row as usize * row_bytes..][..row_bytes];
-        let (view, width) = (*self, self.descriptor.width as usize);
-        (0..width).map(move |column| view.decode(texels, column))
+        let (texels, transfer) = (self.row_bytes(layer, row), self.descriptor.transfer);
+        // In a long row there are fewer different bytes than there are bytes, and an arcsine is dear.
+        let bytes_are_few = self.descriptor.format.component() == Component::Unorm8 && texels.len() > 256;
+        let value_of_byte = bytes_are_few
+            .then(|| core::array::from_fn::<f32, 256, _>(|byte| transfer.value(self.number(&[byte as u8], 0))));
+        let (view, numbers) = (*self, self.row_numbers());
+        (0..numbers).map(move |index| match &value_of_byte {
+            Some(values) => values[usize::from(texels[index])],
+            None => transfer.value(view.number(texels, index)),
+        })
     }
 
-    /// The `index`th texel of `texels`.
-    fn decode(&self, texels: &[u8], index: usize) -> f32 {
-        match self.descriptor.format {
-            Format::R8Unorm => self.scale * (f32::from(texels[index]) / 255.0) + self.bias,
-            Format::R16Float => self.scale * f16_to_f32(u16_at(texels, 2 * index)) + self.bias,
-            Format::R32Float => f32::from_le_bytes(array_at(texels, 4 * index)),
+    /// `scale · stored + bias` along one row, left to right; the channels of a texel follow each other.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn row_before_transfer(&self, layer: u32, row: u32) -> impl ExactSizeIterator<Item = f32> + use<'a> {
+        let (texels, view) = (self.row_bytes(layer, row), *self);
+        (0..self.row_numbers()).map(move |index| view.number(texels, index))
+    }
+
+    fn row_bytes(&self, layer: u32, row: u32) -> &'a [u8] {
+        assert!(row < self.descriptor.height, "row {row} of {}", self.descriptor.height);
+        let row_bytes = self.descriptor.row_bytes() as usize;
+        &self.layer(layer)[row as usize * row_bytes..][..row_bytes]
+    }
+
+    /// Texels of a row times channels.
+    fn row_numbers(&self) -> usize {
+        self.descriptor.width as usize * self.descriptor.format.channels() as usize
+    }
+
+    /// `scale · stored + bias` of the `index`th number of `texels`.
+    fn number(&self, texels: &[u8], index: usize) -> f32 {
+        match self.descriptor.format.component() {
+            Component::Unorm8 => self.scale * (f32::from(texels[index]) / 255.0) + self.bias,
+            Component::Float16 => self.scale * f16_to_f32(u16_at(texels, 2 * index)) + self.bias,
+            Component::Float32 => f32::from_le_bytes(array_at(texels, 4 * index)),
         }
     }
 }

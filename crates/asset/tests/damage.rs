@@ -1,8 +1,8 @@
 //! Damage: every flipped bit and every missing or added byte of a small file is noticed.
 
 use barchan_asset::{
-    Asset, AssetWriter, Codec, Encoding, HorizonTable, LengthUnit, Limits, OpenError, Severity, TableGrid, Wrap,
-    validate,
+    Asset, AssetWriter, Azimuths, BentNormalTable, Codec, CurvatureSweep, Encoding, HorizonTable, LengthUnit, Limits,
+    OpenError, Severity, SweptHorizonTable, TableGrid, Wrap, validate,
 };
 
 /// Two sections, padding of every sort: behind the descriptor, between layers, between sections.
@@ -19,8 +19,27 @@ fn small_file() -> Vec<u8> {
     };
     let values = [0.1, 0.2, 0.3, 0.4, -0.1, -0.2, 1.0, 1.1];
     let mut writer = AssetWriter::new();
-    let table = HorizonTable { grid, directions: 2, radius: 3.0, values: &values };
+    let table = HorizonTable { grid, azimuths: Azimuths::full_circle(2), radius: 3.0, values: &values };
     writer.add_table(table.encode(Encoding::F16).unwrap(), Codec::Raw).unwrap().provenance("{}").unwrap();
+    writer.finish().unwrap()
+}
+
+/// All that version 2 of the descriptor brought, in one file.
+fn small_file_of_version_2() -> Vec<u8> {
+    let (length_unit, wrap) = (LengthUnit::Metre, Wrap::Clamp);
+    let grid =
+        TableGrid { width: 2, height: 1, spacing_u: 1.0, spacing_v: 1.0, length_unit, wrap_u: wrap, wrap_v: wrap };
+    let (azimuths, radius) = (Azimuths::arc(5.0, 7.0, 2), 3.0);
+    let sweep = CurvatureSweep { candidates: 1, curvature_min: -0.25, curvature_max: 0.5 };
+    let values = [0.1, 0.2, -0.3, 0.7];
+    let mut writer = AssetWriter::new();
+    for table in [
+        HorizonTable { grid, azimuths, radius, values: &values }.encode(Encoding::Compact),
+        SweptHorizonTable { grid, azimuths, radius, sweep, values: &values }.encode(Encoding::Compact),
+        BentNormalTable { grid, radius, values: &values }.encode(Encoding::Compact),
+    ] {
+        writer.add_table(table.unwrap(), Codec::Raw).unwrap();
+    }
     writer.finish().unwrap()
 }
 
@@ -30,22 +49,24 @@ fn has_error(file: &[u8]) -> bool {
 
 #[test]
 fn every_flipped_bit_is_an_error() {
-    let mut file = small_file();
-    assert!(!has_error(&file));
-    for bit in 0..8 * file.len() {
-        file[bit / 8] ^= 1 << (bit % 8);
-        assert!(has_error(&file), "bit {} of byte {} flipped without an error", bit % 8, bit / 8);
-        file[bit / 8] ^= 1 << (bit % 8);
+    for mut file in [small_file(), small_file_of_version_2()] {
+        assert_eq!(validate(&file, &Limits::default()), []);
+        for bit in 0..8 * file.len() {
+            file[bit / 8] ^= 1 << (bit % 8);
+            assert!(has_error(&file), "bit {} of byte {} flipped without an error", bit % 8, bit / 8);
+            file[bit / 8] ^= 1 << (bit % 8);
+        }
     }
 }
 
 #[test]
 fn every_truncation_is_refused_at_open() {
-    let file = small_file();
-    for length in 0..file.len() {
-        let error = Asset::open(&file[..length]).unwrap_err();
-        let expected = matches!(error, OpenError::TooShort { .. } | OpenError::FileSize { .. });
-        assert!(expected, "{length}: {error}");
+    for file in [small_file(), small_file_of_version_2()] {
+        for length in 0..file.len() {
+            let error = Asset::open(&file[..length]).unwrap_err();
+            let expected = matches!(error, OpenError::TooShort { .. } | OpenError::FileSize { .. });
+            assert!(expected, "{length}: {error}");
+        }
     }
 }
 

@@ -4,7 +4,8 @@
 use std::alloc::System;
 
 use barchan_asset::{
-    Asset, DistanceView, HeightView, HorizonView, Limits, TableView, content_identity, validate,
+    ApertureConeView, Asset, BentNormalView, DistanceView, HeightView, HorizonView, Limits, SkyVisibilityView,
+    SweptDistanceView, SweptHorizonView, TableView, content_identity, validate,
     vectors::{self, reseal},
 };
 use cap::Cap;
@@ -49,6 +50,33 @@ fn exercise(file: &[u8]) {
         let _ = HeightView::new(descriptor, &payload).map(|view| view.height_at(last.1, last.2));
         let _ = HorizonView::new(descriptor, &payload).map(|view| view.elevation_radians(last.0, last.1, last.2));
         let _ = DistanceView::new(descriptor, &payload).map(|view| view.distance(last.0, last.1, last.2));
+        exercise_newer_views(&view);
+    }
+}
+
+/// The views that came with version 2 of the descriptor.
+fn exercise_newer_views(view: &TableView<'_>) {
+    let (descriptor, payload) = (*view.descriptor(), view.payload());
+    let (column, row) = (descriptor.width - 1, descriptor.height - 1);
+    if let Some(azimuths) = descriptor.azimuths() {
+        for azimuth in [0.0, -7.5, 1e300, f64::NAN, f64::INFINITY, azimuths.radians(descriptor.layers)] {
+            let (first, second, _) = azimuths.neighbours(azimuth);
+            assert!(first < azimuths.count() && second < azimuths.count());
+            let _ = azimuths.covers(azimuth);
+        }
+    }
+    if let Ok(view) = HorizonView::new(descriptor, payload) {
+        let _ = view.sine_of_elevation(view.directions() - 1, column, row);
+    }
+    if let Ok(view) = SweptHorizonView::new(descriptor, payload) {
+        let last = (view.candidates() - 1, view.directions() - 1);
+        let _ = (view.elevation_radians(last.0, last.1, column, row), view.sine_of_elevation(0, 0, column, row));
+    }
+    let _ = SweptDistanceView::new(descriptor, payload).map(|view| view.distance(0, 0, column, row));
+    let _ = SkyVisibilityView::new(descriptor, payload).map(|view| view.visibility(column, row));
+    let _ = BentNormalView::new(descriptor, payload).map(|view| view.normal(column, row));
+    if let Ok(view) = ApertureConeView::new(descriptor, payload) {
+        let _ = (view.axis(column, row), view.cosine_of_half_angle(column, row));
     }
 }
 
@@ -132,5 +160,5 @@ fn hostile_files_neither_panic_nor_eat_memory() {
         seen.extend(validate(&file, &LIMITS).iter().map(|finding| finding.id));
     }
     assert!(opened > MUTANTS / 4, "only {opened} of {MUTANTS} mutants were opened");
-    assert!(seen.len() > 35, "only {seen:?} were found");
+    assert!(seen.len() > 44, "only {seen:?} were found");
 }

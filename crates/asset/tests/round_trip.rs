@@ -1,8 +1,9 @@
 //! What is written is read back, whatever the encoding, codec, edge and kind; and the same calls give the same bytes.
 
 use barchan_asset::{
-    Asset, AssetWriter, Codec, DistanceTable, DistanceView, EncodeError, Encoding, HeightTable, HeightView,
-    HorizonTable, HorizonView, LengthUnit, Limits, RawSection, SectionKind, TableGrid, Wrap, WriteError,
+    ApertureConeTable, Asset, AssetWriter, Azimuths, BentNormalTable, Codec, CurvatureSweep, DistanceTable,
+    DistanceView, EncodeError, Encoding, HeightTable, HeightView, HorizonTable, HorizonView, LengthUnit, Limits,
+    RawSection, SectionKind, SkyVisibilityTable, SweptDistanceTable, SweptHorizonTable, TableGrid, Wrap, WriteError,
     content_identity, validate,
 };
 
@@ -18,7 +19,7 @@ fn values(count: usize, low: f32, high: f32) -> Vec<f32> {
 
 #[test]
 fn every_encoding_codec_and_edge_reads_back_within_its_error() {
-    let (width, height, directions, radius) = (5, 3, 4, 9.0);
+    let (width, height, azimuths, radius) = (5, 3, Azimuths::full_circle(4), 9.0);
     let elevations = values(60, -0.7, 1.4);
     let distances = values(60, 0.0, 9.0);
     for encoding in Encoding::ALL {
@@ -26,8 +27,8 @@ fn every_encoding_codec_and_edge_reads_back_within_its_error() {
             for wrap in [Wrap::Repeat, Wrap::Clamp] {
                 let grid = grid(width, height, wrap);
                 let mut writer = AssetWriter::new();
-                let horizon = HorizonTable { grid, directions, radius, values: &elevations };
-                let distance = DistanceTable { grid, directions, radius, values: &distances };
+                let horizon = HorizonTable { grid, azimuths, radius, values: &elevations };
+                let distance = DistanceTable { grid, azimuths, radius, values: &distances };
                 let heights = HeightTable { grid, values: &elevations[..15] };
                 writer.add_table(heights.encode(encoding).unwrap(), codec).unwrap();
                 writer.add_table(horizon.encode(encoding).unwrap(), codec).unwrap();
@@ -66,6 +67,37 @@ fn check(file: &[u8], elevations: &[f32], distances: &[f32], wrap: Wrap) {
 }
 
 #[test]
+fn every_kind_encoding_and_codec_is_valid() {
+    let (grid, azimuths, radius) = (grid(5, 2, Wrap::Repeat), Azimuths::arc(-1.0, 2.5, 3), 9.0);
+    let sweep = CurvatureSweep { candidates: 2, curvature_min: -1.0, curvature_max: 1.0 };
+    let (elevations, distances) = (values(60, -1.5, 1.4), values(60, 0.0, 9.0));
+    // A unit vector and a half-angle, over and over; as (u, v) pairs they are within the unit disc as well.
+    let directions: Vec<f32> = [0.6, 0.0, 0.8, 0.5, 0.0, -1.0, 0.0, 0.25].into_iter().cycle().take(40).collect();
+    for encoding in Encoding::ALL {
+        for codec in [Codec::Raw, Codec::Zstd] {
+            let mut writer = AssetWriter::new();
+            for table in [
+                HorizonTable { grid, azimuths, radius, values: &elevations[..30] }.encode(encoding),
+                DistanceTable { grid, azimuths, radius, values: &distances[..30] }.encode(encoding),
+                SweptHorizonTable { grid, azimuths, radius, sweep, values: &elevations }.encode(encoding),
+                SweptDistanceTable { grid, azimuths, radius, sweep, values: &distances }.encode(encoding),
+                SkyVisibilityTable { grid, radius, values: &values(10, 0.0, 1.0) }.encode(encoding),
+                BentNormalTable { grid, radius, values: &directions[..20] }.encode(encoding),
+                ApertureConeTable { grid, radius, values: &directions }.encode(encoding),
+            ] {
+                let table = table.unwrap();
+                assert!(table.loss().unwrap().max <= table.descriptor().worst_case_error);
+                writer.add_table(table, codec).unwrap();
+            }
+            let file = writer.finish().unwrap();
+            assert_eq!(validate(&file, &Limits::default()), [], "{encoding:?} {codec:?}");
+            let critical: Vec<_> = Asset::open(&file).unwrap().sections().map(|s| s.is_critical()).collect();
+            assert_eq!(critical, [true, true, false, false, false, false, false]);
+        }
+    }
+}
+
+#[test]
 fn a_row_is_the_values_of_its_texels() {
     let heights = values(15, -3.0, 8.0);
     let table = HeightTable { grid: grid(5, 3, Wrap::Clamp), values: &heights }.encode(Encoding::F16).unwrap();
@@ -77,9 +109,28 @@ fn a_row_is_the_values_of_its_texels() {
 }
 
 #[test]
+fn a_long_row_of_bytes_is_the_values_of_its_texels() {
+    let (width, elevations) = (700, values(700, -1.2, 1.5));
+    let (grid, azimuths) = (grid(width, 1, Wrap::Clamp), Azimuths::full_circle(1));
+    let table = HorizonTable { grid, azimuths, radius: 1.0, values: &elevations };
+    for encoding in [Encoding::U8, Encoding::Compact] {
+        let table = table.encode(encoding).unwrap();
+        let view = table.view().unwrap();
+        let texels: Vec<f32> = (0..width).map(|column| view.value(0, column, 0)).collect();
+        assert_eq!(view.row(0, 0).collect::<Vec<_>>(), texels);
+        let sines: Vec<f32> = (0..width).map(|column| view.before_transfer(0, column, 0, 0)).collect();
+        assert_eq!(view.row_before_transfer(0, 0).collect::<Vec<_>>(), sines);
+    }
+}
+
+#[test]
 fn layers_are_256_aligned_and_rows_tight() {
-    let table =
-        HorizonTable { grid: grid(3, 2, Wrap::Clamp), directions: 3, radius: 1.0, values: &values(18, 0.0, 1.0) };
+    let table = HorizonTable {
+        grid: grid(3, 2, Wrap::Clamp),
+        azimuths: Azimuths::full_circle(3),
+        radius: 1.0,
+        values: &values(18, 0.0, 1.0),
+    };
     let table = table.encode(Encoding::F32).unwrap();
     assert_eq!(table.payload().len(), 256 + 256 + 24);
     assert_eq!(table.descriptor().layer_offset(2), 512);
@@ -154,8 +205,12 @@ fn a_rewrite_keeps_what_it_does_not_know() {
 fn illegal_values_are_refused_with_their_place() {
     let grid = grid(2, 1, Wrap::Clamp);
     let height = |values: &[f32]| HeightTable { grid, values }.encode(Encoding::F16);
-    let horizon = |values: &[f32]| HorizonTable { grid, directions: 1, radius: 2.0, values }.encode(Encoding::U8);
-    let distance = |values: &[f32]| DistanceTable { grid, directions: 1, radius: 0.1, values }.encode(Encoding::U8);
+    let horizon = |values: &[f32]| {
+        HorizonTable { grid, azimuths: Azimuths::full_circle(1), radius: 2.0, values }.encode(Encoding::U8)
+    };
+    let distance = |values: &[f32]| {
+        DistanceTable { grid, azimuths: Azimuths::full_circle(1), radius: 0.1, values }.encode(Encoding::U8)
+    };
     let refused = |table: Result<_, EncodeError>| matches!(table, Err(EncodeError::Value { index: 1, .. }));
     assert!(refused(height(&[0.0, f32::NAN])));
     assert!(refused(height(&[0.0, f32::INFINITY])));
@@ -186,5 +241,5 @@ fn the_writer_refuses_what_no_file_may_hold() {
     assert!(matches!(writer.raw_section(&bad, Codec::Raw), Err(WriteError::Kind { .. })));
     let empty = section(SectionKind(*b"NONE"), b"");
     assert!(matches!(writer.raw_section(&empty, Codec::Raw), Err(WriteError::Empty { .. })));
-    assert!(matches!(AssetWriter::new().finish(), Err(WriteError::SectionCount { found: 0 })));
+    assert!(matches!(AssetWriter::new().finish(), Err(WriteError::SectionCount { found: 0, .. })));
 }

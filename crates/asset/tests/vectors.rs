@@ -4,8 +4,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use barchan_asset::{
-    Asset, DistanceView, HeightView, HorizonView, LengthUnit, Limits, MAX_ELEVATION, OpenError, SectionFault,
-    SectionKind, Severity, Wrap, validate, vectors,
+    ApertureConeView, Asset, BentNormalView, DistanceView, HeightView, HorizonView, LengthUnit, Limits, MAX_ELEVATION,
+    OpenError, SectionFault, SectionKind, Severity, SkyVisibilityView, SweptDistanceView, SweptHorizonView, Transfer,
+    Wrap, validate, vectors,
 };
 
 fn folder() -> PathBuf {
@@ -105,7 +106,7 @@ fn the_grid_is_read_as_it_was_written() {
 
 #[test]
 fn directional_tables_decode_within_their_worst_case_error() {
-    for name in ["horizon-distance-f16", "horizon-distance-u8-zstd"] {
+    for name in ["horizon-distance-f16", "horizon-distance-u8-zstd", "horizon-distance-compact"] {
         let file = published(name);
         let asset = Asset::open(&file).unwrap();
         let [horizon, distance] = [SectionKind::HORIZON, SectionKind::DISTANCE].map(|k| asset.section(k).unwrap());
@@ -127,6 +128,88 @@ fn directional_tables_decode_within_their_worst_case_error() {
 }
 
 #[test]
+fn compact_tables_hold_sines_and_roots() {
+    let file = published("horizon-distance-compact");
+    let asset = Asset::open(&file).unwrap();
+    let [horizon, distance] = [SectionKind::HORIZON, SectionKind::DISTANCE].map(|kind| asset.section(kind).unwrap());
+    assert_eq!((horizon.version(), distance.version()), (2, 2));
+    let horizon = HorizonView::new(horizon.texture().unwrap(), horizon.raw_payload().unwrap()).unwrap();
+    let distance = DistanceView::new(distance.texture().unwrap(), distance.raw_payload().unwrap()).unwrap();
+    let transfers = [horizon.descriptor().transfer, distance.descriptor().transfer];
+    assert_eq!(transfers, [Transfer::Sine, Transfer::Square]);
+    // Bytes 0 and 255: the sines of −0.5 and 1.1875 to f32.
+    assert_eq!(horizon.sine_of_elevation(0, 0, 0), -0.479_425_55);
+    assert_eq!(horizon.sine_of_elevation(3, 15, 0), 0.927_436_95);
+    assert_eq!([horizon.elevation_radians(0, 0, 0), horizon.elevation_radians(3, 15, 0)], [-0.5, 1.187_500_1]);
+    assert_eq!([distance.distance(0, 0, 0), distance.distance(3, 0, 3)], [0.0, 3.750_000_2]);
+    // Byte 147: (√3.75 · 147/255)².
+    assert_eq!(distance.distance(1, 0, 1), 1.246_194);
+}
+
+#[test]
+fn an_arc_knows_its_ends() {
+    let file = published("horizon-arc");
+    let section = Asset::open(&file).unwrap().section(SectionKind::HORIZON).unwrap();
+    let view = HorizonView::new(section.texture().unwrap(), section.raw_payload().unwrap()).unwrap();
+    assert_eq!((section.version(), view.directions(), view.azimuths().is_full_circle()), (2, 3, false));
+    assert_eq!(view.neighbours(std::f64::consts::FRAC_PI_8), (1, 2, 0.5));
+    assert!(view.covers(-0.5) && !view.covers(1.0));
+    for (k, column) in [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1)] {
+        let error = view.elevation_radians(k, column, 0) - vectors::arc_elevation(k, column);
+        assert!(f64::from(error.abs()) <= view.descriptor().worst_case_error, "{error}");
+    }
+}
+
+#[test]
+fn swept_candidates_follow_the_horizon() {
+    let file = published("swept-horizon");
+    let asset = Asset::open(&file).unwrap();
+    let part = |kind| asset.section(kind).map(|s| (s.texture().unwrap(), s.raw_payload().unwrap())).unwrap();
+    let (horizon, distance) = (part(SectionKind::SWEPT_HORIZON), part(SectionKind::SWEPT_DISTANCE));
+    assert!(!asset.section(SectionKind::SWEPT_HORIZON).unwrap().is_critical());
+    let horizon = SweptHorizonView::new(horizon.0, horizon.1).unwrap();
+    let distance = SweptDistanceView::new(distance.0, distance.1).unwrap();
+    assert_eq!((horizon.candidates(), horizon.directions()), (2, 3));
+    assert_eq!(horizon.curvature_range(), (-0.5, 0.25));
+    for (candidate, direction) in [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)] {
+        let (elevation, length) = vectors::swept_point(candidate + 1, direction);
+        let error = horizon.elevation_radians(candidate, direction, 0, 0) - elevation;
+        assert!(f64::from(error.abs()) <= horizon.descriptor().worst_case_error, "{error}");
+        let error = horizon.sine_of_elevation(candidate, direction, 0, 0) - elevation.sin();
+        assert!(error.abs() < 0.002, "{error}");
+        let error = distance.distance(candidate, direction, 0, 0) - length;
+        assert!(f64::from(error.abs()) <= distance.descriptor().worst_case_error, "{error}");
+    }
+}
+
+#[test]
+fn what_a_texel_sees_of_the_sky() {
+    for (name, tolerance) in [("sky-f32", 0.0), ("sky-f16", 3e-4), ("sky-compact", 4e-3)] {
+        let file = published(name);
+        let asset = Asset::open(&file).unwrap();
+        let part = |kind| asset.section(kind).map(|s| (s.texture().unwrap(), s.raw_payload().unwrap())).unwrap();
+        let kinds = [SectionKind::SKY_VISIBILITY, SectionKind::BENT_NORMAL, SectionKind::APERTURE_CONE];
+        let [sky, bent, cone] = kinds.map(part);
+        assert_eq!([sky.0, bent.0, cone.0].map(|descriptor| descriptor.format.channels()), [1, 2, 4]);
+        let sky = SkyVisibilityView::new(sky.0, sky.1).unwrap();
+        let bent = BentNormalView::new(bent.0, bent.1).unwrap();
+        let cone = ApertureConeView::new(cone.0, cone.1).unwrap();
+        let near = |found: f32, expected: f32| (found - expected).abs() <= tolerance;
+        for (texel, (column, row)) in vectors::SKY.into_iter().zip([(0, 0), (1, 0), (0, 1), (1, 1)]) {
+            assert!(near(sky.visibility(column, row), texel.visibility), "{name}");
+            assert!(near(cone.cosine_of_half_angle(column, row), texel.cosine), "{name}");
+            let (axis, normal) = (cone.axis(column, row), bent.normal(column, row));
+            for i in 0..3 {
+                assert!(near(axis[i], texel.axis[i]), "{name}: {axis:?}");
+                // The height is a root: near the tangent plane it magnifies what its square is off by.
+                let slack = if i == 2 { tolerance.sqrt() * 2.0 + 4e-4 } else { 0.0 };
+                assert!((normal[i] - texel.axis[i]).abs() <= tolerance + slack, "{name}: {normal:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn walls_keep_their_elevation() {
     let file = published("horizon-f32-extremes");
     let section = Asset::open(&file).unwrap().section(SectionKind::HORIZON).unwrap();
@@ -140,6 +223,10 @@ fn refused_vectors_are_refused_by_name() {
     assert_eq!(
         refusal("refused/unknown-critical"),
         OpenError::Section { index: 1, kind: SectionKind(*b"NOTE"), fault: SectionFault::UnknownCritical }
+    );
+    assert_eq!(
+        refusal("refused/newer-section"),
+        OpenError::Section { index: 0, kind: SectionKind::HORIZON, fault: SectionFault::Version { found: 3 } }
     );
     assert_eq!(refusal("refused/unknown-major"), OpenError::Major { found: 2 });
     assert_eq!(refusal("refused/required-feature"), OpenError::RequiredFeatures { unknown: 0x1_0000 });

@@ -107,7 +107,7 @@ fn compare_table(a: &DecodedTable<'_>, b: &DecodedTable<'_>, tolerance: f64) -> 
     let worst = stats.worst().filter(|_| stats.max() > 0.0).map(|index| place(index as usize));
     let unit = match descriptor.unit {
         Unit::Radian => "degrees",
-        Unit::Length(length) => length.symbol(),
+        Unit::Length(_) | Unit::None => descriptor.unit.symbol(),
     };
     let values = ValueReport { unit, rms: stats.rms(), max: stats.max(), first, worst };
     TableReport { table: a.table.name(), same: values.first.is_none(), mismatch: None, values: Some(values) }
@@ -135,7 +135,7 @@ fn comparable(table: &DecodedTable<'_>) -> Vec<f32> {
     let values = rows.flat_map(|(layer, row)| view.row(layer, row));
     match descriptor.unit {
         Unit::Radian => values.map(|radians| f64::from(radians).to_degrees() as f32).collect(),
-        Unit::Length(_) => values.collect(),
+        Unit::Length(_) | Unit::None => values.collect(),
     }
 }
 

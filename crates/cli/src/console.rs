@@ -89,6 +89,7 @@ pub(crate) fn number(value: f64) -> String {
 pub(crate) fn value_in(unit: barchan_asset::Unit, value: f64) -> String {
     match unit {
         barchan_asset::Unit::Radian => format!("{}°", number(value.to_degrees())),
+        barchan_asset::Unit::None => number(value),
         barchan_asset::Unit::Length(length) => format!("{} {}", number(value), length.symbol()),
     }
 }

@@ -83,7 +83,7 @@ fn report(file: &AssetFile, asset: &Asset<'_>) -> Result<Report, Failure> {
 
 fn section_report(file: &AssetFile, section: &Section<'_>) -> Result<SectionReport, Failure> {
     let kind = section.kind();
-    let table = kind.is_texture().then(|| section.texture()).transpose();
+    let table = (kind.is_texture() && section.is_known()).then(|| section.texture()).transpose();
     let table = table.map_err(|error| file.content(format!("{kind}: {error}")))?;
     Ok(SectionReport {
         kind: kind.to_string(),

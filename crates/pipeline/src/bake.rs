@@ -4,7 +4,9 @@ use std::path::Path;
 use std::time::Instant;
 
 use barchan_asset::{Asset, AssetWriter, Codec, DistanceTable, HeightTable, HorizonTable, HorizonView};
-use barchan_asset::{EncodeError, LengthUnit as AssetUnit, TableGrid, TextureTable, Wrap};
+use barchan_asset::{
+    Azimuths as TableAzimuths, EncodeError, Encoding, LengthUnit as AssetUnit, Semantic, TableGrid, TextureTable, Wrap,
+};
 use barchan_bakers::horizon::{self, Azimuths, HorizonMap, HorizonParams, Method};
 use barchan_bakers::{BakeError, Exec};
 use barchan_field::{Edge, Grid, HeightField, LengthUnit};
@@ -14,7 +16,7 @@ use crate::provenance::{CanonicalRecipe, HorizonProvenance};
 use crate::source::{self, Loaded};
 use crate::{
     BAKE_SCHEMA, BakeReport, Compression, Decision, GridReport, LeftOut, PROVENANCE_SCHEMA, PipelineError, Plan,
-    Provenance, Recipe, StageTime, Table, TableReport,
+    Provenance, Recipe, StageTime, Table, TableEncoding, TableReport,
 };
 
 /// The bytes of an asset and what there is to say about them.
@@ -102,13 +104,13 @@ fn encode_tables(
         tables.push(table.encode(height.encoding.into()).map_err(fail(Table::Height))?);
     }
     let Some(map) = map else { return Ok(tables) };
-    let (directions, radius) = (map.params.directions(), map.params.radius);
+    let (azimuths, radius) = (TableAzimuths::full_circle(map.params.directions()), map.params.radius);
     if plan.bakes(Table::Horizon) {
-        let table = HorizonTable { grid, directions, radius, values: &map.elevation_radians };
+        let table = HorizonTable { grid, azimuths, radius, values: &map.elevation_radians };
         tables.push(table.encode(horizon.encoding.into()).map_err(fail(Table::Horizon))?);
     }
     if let Some(values) = &map.distance {
-        let table = DistanceTable { grid, directions, radius, values };
+        let table = DistanceTable { grid, azimuths, radius, values };
         tables.push(table.encode(distance.encoding.into()).map_err(fail(Table::Distance))?);
     }
     Ok(tables)
@@ -238,10 +240,15 @@ fn left_out(plan: &Plan, field: &HeightField) -> Vec<LeftOut> {
                 Table::Horizon => (horizon.encoding, horizon.directions),
                 Table::Distance => (distance.encoding, horizon.directions),
             };
-            let texel_bytes = barchan_asset::Encoding::from(encoding).format().texel_bytes();
+            let texel_bytes = stored_texel_bytes(planned.table, encoding);
             let texels = field.grid().texels() as u64 * u64::from(layers);
             let bytes_saved = texels * u64::from(texel_bytes);
             LeftOut { table: planned.table.name(), reason: planned.reason, bytes_saved }
         })
         .collect()
+}
+
+fn stored_texel_bytes(table: Table, encoding: TableEncoding) -> u32 {
+    let semantic = Semantic::of_kind(table.kind()).expect("every table is a table of texels");
+    Encoding::from(encoding).format(semantic).texel_bytes()
 }

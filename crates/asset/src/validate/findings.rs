@@ -69,7 +69,7 @@ const fn warning(id: &'static str, summary: &'static str) -> FindingKind {
 }
 
 /// Every finding there is, by number.
-pub const FINDINGS: [FindingKind; 48] = [
+pub const FINDINGS: [FindingKind; 56] = [
     error("B0101", "fewer bytes than a header"),
     error("B0102", "not the magic"),
     error("B0103", "unsupported major version"),
@@ -112,12 +112,20 @@ pub const FINDINGS: [FindingKind; 48] = [
     error("B0405", "real number out of bounds"),
     error("B0406", "semantic does not match the section kind"),
     error("B0407", "payload length does not follow from the extent"),
+    error("B0408", "format with another number of channels than the semantic"),
+    error("B0409", "transfer that does not fit the semantic"),
+    error("B0410", "azimuths neither a full circle nor an arc"),
+    error("B0411", "candidates that do not fit the layers or the semantic"),
     error("B0501", "value not finite"),
     error("B0502", "value outside the stated range"),
     error("B0503", "stated range not reached by the values"),
     error("B0504", "padding between layers not zero"),
+    error("B0505", "stored number outside the domain of its transfer"),
+    error("B0506", "direction that is not of unit length"),
     error("B0601", "provenance not UTF-8"),
     error("B0602", "provenance with a descriptor"),
+    error("B0701", "swept table that does not lie as its companion does"),
+    warning("B0702", "swept table without its companion"),
 ];
 
 /// The severity of the finding with that number.

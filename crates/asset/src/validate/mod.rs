@@ -1,5 +1,6 @@
 //! Everything that can be wrong with a file, as numbered findings.
 
+mod companions;
 mod findings;
 mod values;
 
@@ -50,6 +51,7 @@ impl Report {
             self.section(&section, limits);
             end = section.end();
         }
+        companions::check(asset, |id, kind, message| self.add(id, Some(kind), message));
         self.identity(asset);
     }
 

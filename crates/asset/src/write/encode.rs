@@ -1,12 +1,6 @@
-//! Values to stored bytes, with the error that costs.
+//! How values are stored, and why they could not be.
 
-use core::ops::RangeInclusive;
-use std::vec::Vec;
-
-use super::quantiser::Quantiser;
-use crate::bytes::CHUNK_ALIGN;
-use crate::half::f16_to_f32;
-use crate::{Format, bytes};
+use crate::{Component, Format, Semantic, Transfer};
 
 /// How values are stored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -17,29 +11,58 @@ pub enum Encoding {
     F16,
     /// 1 byte; error at most 1/510 of the table's range, and rounding.
     U8,
+    /// What suits the kind: 1 byte of the sine of an elevation, of the root of a distance, of what has no unit; 2 bytes
+    /// of a height.
+    Compact,
 }
 
 impl Encoding {
     /// Every encoding, the most exact first.
-    pub const ALL: [Self; 3] = [Self::F32, Self::F16, Self::U8];
+    pub const ALL: [Self; 4] = [Self::F32, Self::F16, Self::U8, Self::Compact];
 
-    /// `f32`, `f16` or `u8`, as in recipes and on the command line.
+    /// `f32`, `f16`, `u8` or `compact`, as in recipes and on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::F32 => "f32",
             Self::F16 => "f16",
             Self::U8 => "u8",
+            Self::Compact => "compact",
         }
     }
 
-    /// The texel format that stores it.
+    /// The texel format that stores a table of that meaning.
     #[must_use]
-    pub fn format(self) -> Format {
+    pub fn format(self, semantic: Semantic) -> Format {
+        match (self.component(semantic), semantic.channels()) {
+            (Component::Unorm8, 1) => Format::R8Unorm,
+            (Component::Unorm8, 2) => Format::Rg8Unorm,
+            (Component::Unorm8, _) => Format::Rgba8Unorm,
+            (Component::Float16, 1) => Format::R16Float,
+            (Component::Float16, 2) => Format::Rg16Float,
+            (Component::Float16, _) => Format::Rgba16Float,
+            (Component::Float32, 1) => Format::R32Float,
+            (Component::Float32, 2) => Format::Rg32Float,
+            (Component::Float32, _) => Format::Rgba32Float,
+        }
+    }
+
+    /// What stored numbers of a table of that meaning go through to become values.
+    #[must_use]
+    pub fn transfer(self, semantic: Semantic) -> Transfer {
         match self {
-            Self::F32 => Format::R32Float,
-            Self::F16 => Format::R16Float,
-            Self::U8 => Format::R8Unorm,
+            Self::Compact if semantic.allows(Transfer::Sine) => Transfer::Sine,
+            Self::Compact if semantic.allows(Transfer::Square) => Transfer::Square,
+            _ => Transfer::Identity,
+        }
+    }
+
+    fn component(self, semantic: Semantic) -> Component {
+        match self {
+            Self::F32 => Component::Float32,
+            Self::F16 => Component::Float16,
+            Self::Compact if semantic == Semantic::Height => Component::Float16,
+            Self::U8 | Self::Compact => Component::Unorm8,
         }
     }
 }
@@ -56,10 +79,10 @@ pub enum EncodeError {
         /// Values the extent asks for.
         expected: u64,
     },
-    /// A value is NaN, infinite or outside what the table may hold.
+    /// A value is NaN, infinite or outside what the table may hold, or outside the bounds given.
     #[error("value {index} is {value}; {min} to {max} is accepted")]
     Value {
-        /// Its place among the values.
+        /// Its place among the values; of a layer if layers are encoded one by one.
         index: usize,
         /// The value.
         value: f32,
@@ -67,6 +90,18 @@ pub enum EncodeError {
         min: f32,
         /// The greatest value accepted.
         max: f32,
+    },
+    /// Bounds that are no range, or wider than what the table may hold.
+    #[error("values are bounded by {min} to {max}; a range within {legal_min} to {legal_max} is accepted")]
+    Bounds {
+        /// The lower bound given.
+        min: f32,
+        /// The upper bound given.
+        max: f32,
+        /// The least value the table may hold.
+        legal_min: f32,
+        /// The greatest.
+        legal_max: f32,
     },
     /// The range has no scale in f32.
     #[error("{encoding} cannot hold values from {min} to {max}: their difference is beyond f32; f32 is accepted")]
@@ -78,91 +113,23 @@ pub enum EncodeError {
         /// The encoding asked for.
         encoding: &'static str,
     },
+    /// A layer that the table does not have.
+    #[error("layer {layer} was encoded; the table has {layers}")]
+    Layer {
+        /// The layer, counted from 0.
+        layer: u32,
+        /// Layers of the table.
+        layers: u32,
+    },
+    /// A table without one of its layers.
+    #[error("layer {layer} of {layers} was not encoded")]
+    Missing {
+        /// The first layer that is missing, counted from 0.
+        layer: u32,
+        /// Layers of the table.
+        layers: u32,
+    },
     /// The facts about the table are outside the format.
     #[error(transparent)]
     Descriptor(#[from] crate::DescriptorError),
-}
-
-/// Values in their stored form, and all a descriptor says about them.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Encoded {
-    /// All layers, each starting at a multiple of 256 bytes, zeros between.
-    pub bytes: Vec<u8>,
-    /// How a texel is stored.
-    pub format: Format,
-    /// Factor of stored numbers; exact as f32.
-    pub scale: f32,
-    /// Offset of decoded values; exact as f32.
-    pub bias: f32,
-    /// The least and the greatest decoded value, in the unit of the values.
-    pub range: (f32, f32),
-    /// No decoded value is farther than this from the value given, in the unit of the values.
-    pub worst_case_error: f64,
-}
-
-/// Encodes `values`: `layers` layers of `layer_texels` each, tight. Decoded values are within `legal` too.
-///
-/// # Errors
-/// A wrong number of values, none at all, a value that is not within `legal` (NaN never is), or a range whose scale is
-/// beyond f32.
-pub fn encode(
-    values: &[f32],
-    layers: u32,
-    layer_texels: u64,
-    encoding: Encoding,
-    legal: RangeInclusive<f32>,
-) -> Result<Encoded, EncodeError> {
-    let expected = layer_texels.saturating_mul(u64::from(layers));
-    let found = values.len() as u64;
-    if found != expected || found == 0 {
-        return Err(EncodeError::Count { found, expected });
-    }
-    let extent = extent(values, &legal)?;
-    let quantiser = Quantiser::new(encoding, extent, &legal)?;
-    Ok(Encoded {
-        bytes: store(values, layer_texels as usize, &quantiser),
-        format: quantiser.format,
-        scale: quantiser.scale,
-        bias: quantiser.bias,
-        // Quantising and decoding both preserve order, so the ends decode to the ends.
-        range: (decoded(&quantiser, extent.0), decoded(&quantiser, extent.1)),
-        worst_case_error: quantiser.worst_case_error(),
-    })
-}
-
-/// The least and the greatest value, all of them legal.
-fn extent(values: &[f32], legal: &RangeInclusive<f32>) -> Result<(f32, f32), EncodeError> {
-    let (mut min, mut max) = (f32::INFINITY, f32::NEG_INFINITY);
-    for (index, &value) in values.iter().enumerate() {
-        if !value.is_finite() || !legal.contains(&value) {
-            return Err(EncodeError::Value { index, value, min: *legal.start(), max: *legal.end() });
-        }
-        min = min.min(value);
-        max = max.max(value);
-    }
-    Ok((min, max))
-}
-
-fn store(values: &[f32], layer_texels: usize, quantiser: &Quantiser) -> Vec<u8> {
-    let texel_bytes = quantiser.format.texel_bytes() as usize;
-    let stride = bytes::align_up((layer_texels * texel_bytes) as u64, CHUNK_ALIGN).unwrap_or(u64::MAX) as usize;
-    let mut out = Vec::with_capacity(stride * (values.len() / layer_texels));
-    for (k, layer) in values.chunks_exact(layer_texels).enumerate() {
-        out.resize(k * stride, 0);
-        for &value in layer {
-            quantiser.put(value, &mut out);
-        }
-    }
-    out
-}
-
-/// What `value` is after storing and decoding, as [`crate::TableView`] decodes.
-fn decoded(quantiser: &Quantiser, value: f32) -> f32 {
-    let mut texel = Vec::with_capacity(4);
-    quantiser.put(value, &mut texel);
-    match quantiser.format {
-        Format::R8Unorm => quantiser.scale * (f32::from(texel[0]) / 255.0) + quantiser.bias,
-        Format::R16Float => quantiser.scale * f16_to_f32(bytes::u16_at(&texel, 0)) + quantiser.bias,
-        Format::R32Float => value,
-    }
 }

@@ -10,12 +10,22 @@ pub(crate) struct IdentityHasher(blake3::Hasher);
 impl IdentityHasher {
     /// Adds one section.
     pub(crate) fn section(&mut self, kind: SectionKind, version: u16, descriptor: &[u8], payload: &[u8]) {
+        self.begin(kind, version, descriptor, payload.len() as u64);
+        self.payload(payload);
+    }
+
+    /// Adds a section up to its decoded payload, which has `raw_length` bytes.
+    pub(crate) fn begin(&mut self, kind: SectionKind, version: u16, descriptor: &[u8], raw_length: u64) {
         self.0.update(&kind.0);
         self.0.update(&version.to_le_bytes());
         self.0.update(&(descriptor.len() as u32).to_le_bytes());
         self.0.update(descriptor);
-        self.0.update(&(payload.len() as u64).to_le_bytes());
-        self.0.update(payload);
+        self.0.update(&raw_length.to_le_bytes());
+    }
+
+    /// Adds a piece of the decoded payload.
+    pub(crate) fn payload(&mut self, piece: &[u8]) {
+        self.0.update(piece);
     }
 
     /// The identity of the sections so far.

@@ -1,13 +1,29 @@
 //! From values to the bytes of a file.
 
+mod codes;
 mod encode;
+mod encoder;
+mod error;
+mod facts;
 mod identity;
+mod layout;
+mod loss;
 mod quantiser;
+mod stream;
 mod tables;
 mod writer;
 
-pub use encode::{EncodeError, Encoded, Encoding, encode};
+pub use encode::{EncodeError, Encoding};
+pub use encoder::TableEncoder;
+pub use error::WriteError;
+pub use facts::{CurvatureSweep, TableFacts, TableGrid};
 pub(crate) use identity::IdentityHasher;
 pub use identity::content_identity;
-pub use tables::{DistanceTable, HeightTable, HorizonTable, TableGrid, TextureTable};
-pub use writer::{AssetWriter, RawSection, WriteError};
+pub use layout::Finished;
+pub use loss::{EncodingLoss, LayerMeasure};
+pub use stream::{AssetStream, RawSection};
+pub use tables::{
+    ApertureConeTable, BentNormalTable, DistanceTable, HeightTable, HorizonTable, SkyVisibilityTable,
+    SweptDistanceTable, SweptHorizonTable, TextureTable,
+};
+pub use writer::AssetWriter;

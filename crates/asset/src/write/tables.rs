@@ -1,33 +1,12 @@
-//! Tables of each kind: facts about the grid, values, and an encoding to a descriptor and a payload.
+//! Tables of each kind that are in memory as a whole: facts, values, and an encoding to a descriptor and a payload.
 
-use core::f64::consts::TAU;
-use core::ops::RangeInclusive;
 use std::vec::Vec;
 
-use super::encode::{EncodeError, Encoding, encode};
-use crate::{
-    DescriptorError, Filter, LengthUnit, MAX_ELEVATION, MipReducer, SectionKind, Semantic, TableView,
-    TextureDescriptor, Unit, Wrap, f32_at_most,
-};
-
-/// Where the texels of a table lie.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TableGrid {
-    /// Texels along u.
-    pub width: u32,
-    /// Texels along v.
-    pub height: u32,
-    /// Length per texel along u.
-    pub spacing_u: f64,
-    /// Length per texel along v.
-    pub spacing_v: f64,
-    /// The unit of lengths.
-    pub length_unit: LengthUnit,
-    /// What lies beyond the first and the last column.
-    pub wrap_u: Wrap,
-    /// What lies beyond the first and the last row.
-    pub wrap_v: Wrap,
-}
+use super::encode::{EncodeError, Encoding};
+use super::encoder::{TableEncoder, check_values};
+use super::facts::{CurvatureSweep, TableFacts, TableGrid};
+use super::loss::EncodingLoss;
+use crate::{Azimuths, DescriptorError, SectionKind, TableView, TextureDescriptor};
 
 /// Heights to be written.
 #[derive(Debug, Clone, Copy)]
@@ -43,11 +22,11 @@ pub struct HeightTable<'a> {
 pub struct HorizonTable<'a> {
     /// Where the texels lie.
     pub grid: TableGrid,
-    /// How many azimuths, evenly spread over the full circle from +u, counter-clockwise as seen.
-    pub directions: u32,
+    /// The azimuth of each layer.
+    pub azimuths: Azimuths,
     /// How far the horizon was searched, in the length unit.
     pub radius: f64,
-    /// Radians within ±[`MAX_ELEVATION`]: direction by direction, each row by row from the top of the picture.
+    /// Radians within ±[`crate::MAX_ELEVATION`]: azimuth by azimuth, each row by row from the top of the picture.
     pub values: &'a [f32],
 }
 
@@ -56,54 +35,114 @@ pub struct HorizonTable<'a> {
 pub struct DistanceTable<'a> {
     /// Where the texels lie.
     pub grid: TableGrid,
-    /// How many azimuths, evenly spread over the full circle from +u, counter-clockwise as seen.
-    pub directions: u32,
+    /// The azimuth of each layer.
+    pub azimuths: Azimuths,
     /// How far the horizon was searched, in the length unit.
     pub radius: f64,
-    /// Lengths in [0, radius] (cut to [`f32_at_most`] of the radius), in the order of [`HorizonTable::values`].
+    /// Lengths in [0, radius] (cut to [`crate::f32_at_most`] of the radius), in the order of [`HorizonTable::values`].
     pub values: &'a [f32],
 }
 
-impl HeightTable<'_> {
-    /// The table in its stored form.
-    ///
-    /// # Errors
-    /// A wrong number of values, a value that is not finite, or facts outside the format.
-    pub fn encode(&self, encoding: Encoding) -> Result<TextureTable, EncodeError> {
-        let facts = Facts { grid: self.grid, semantic: Semantic::Height, layers: 1, radius: 0.0 };
-        facts.encode(self.values, encoding, f32::MIN..=f32::MAX)
-    }
+/// Elevations, as seen on the flat base, of points that become the horizon on a curved one.
+#[derive(Debug, Clone, Copy)]
+pub struct SweptHorizonTable<'a> {
+    /// Where the texels lie.
+    pub grid: TableGrid,
+    /// The azimuths of the layers of each candidate.
+    pub azimuths: Azimuths,
+    /// How far the horizon was searched, in the length unit.
+    pub radius: f64,
+    /// How many points, for which curvatures.
+    pub sweep: CurvatureSweep,
+    /// Radians within ±[`crate::MAX_ELEVATION`]: candidate by candidate, each in the order of [`HorizonTable::values`].
+    pub values: &'a [f32],
 }
 
-impl HorizonTable<'_> {
-    /// The table in its stored form.
-    ///
-    /// # Errors
-    /// A wrong number of values, a value beyond ±[`MAX_ELEVATION`], or facts outside the format.
-    pub fn encode(&self, encoding: Encoding) -> Result<TextureTable, EncodeError> {
-        let semantic = Semantic::HorizonElevation;
-        let facts = Facts { grid: self.grid, semantic, layers: self.directions, radius: self.radius };
-        facts.encode(self.values, encoding, -MAX_ELEVATION..=MAX_ELEVATION)
-    }
+/// Distances of the points of a [`SweptHorizonTable`].
+#[derive(Debug, Clone, Copy)]
+pub struct SweptDistanceTable<'a> {
+    /// Where the texels lie.
+    pub grid: TableGrid,
+    /// The azimuths of the layers of each candidate.
+    pub azimuths: Azimuths,
+    /// How far the horizon was searched, in the length unit.
+    pub radius: f64,
+    /// How many points, for which curvatures.
+    pub sweep: CurvatureSweep,
+    /// Lengths in [0, radius], in the order of [`SweptHorizonTable::values`].
+    pub values: &'a [f32],
 }
 
-impl DistanceTable<'_> {
-    /// The table in its stored form.
-    ///
-    /// # Errors
-    /// A wrong number of values, a value outside [0, radius], or facts outside the format.
-    pub fn encode(&self, encoding: Encoding) -> Result<TextureTable, EncodeError> {
-        let semantic = Semantic::HorizonDistance;
-        let facts = Facts { grid: self.grid, semantic, layers: self.directions, radius: self.radius };
-        facts.encode(self.values, encoding, 0.0..=f32_at_most(self.radius))
-    }
+/// Visible shares of the sky to be written.
+#[derive(Debug, Clone, Copy)]
+pub struct SkyVisibilityTable<'a> {
+    /// Where the texels lie.
+    pub grid: TableGrid,
+    /// How far the horizon was searched, in the length unit.
+    pub radius: f64,
+    /// Cosine-weighted shares in [0, 1], row by row from the top of the picture.
+    pub values: &'a [f32],
 }
+
+/// Mean directions of the visible sky to be written.
+#[derive(Debug, Clone, Copy)]
+pub struct BentNormalTable<'a> {
+    /// Where the texels lie.
+    pub grid: TableGrid,
+    /// How far the horizon was searched, in the length unit.
+    pub radius: f64,
+    /// Components along u and v of a unit vector with height ≥ 0, interleaved, row by row from the top of the picture.
+    pub values: &'a [f32],
+}
+
+/// Cones of directions towards the visible sky to be written.
+#[derive(Debug, Clone, Copy)]
+pub struct ApertureConeTable<'a> {
+    /// Where the texels lie.
+    pub grid: TableGrid,
+    /// How far the horizon was searched, in the length unit.
+    pub radius: f64,
+    /// Components along u, v and height of the unit axis and the cosine of the half-angle, interleaved, row by row from
+    /// the top of the picture.
+    pub values: &'a [f32],
+}
+
+/// Gives a table its facts and its encoding.
+macro_rules! table {
+    ($name:ident, $facts:ident($($fact:ident),+)) => {
+        impl $name<'_> {
+            /// All but the values.
+            #[must_use]
+            pub fn facts(&self) -> TableFacts {
+                TableFacts::$facts($(self.$fact),+)
+            }
+
+            /// The table in its stored form, with the tightest bounds there are.
+            ///
+            /// # Errors
+            /// A wrong number of values, a value outside [`TableFacts::legal`], or facts outside the format.
+            pub fn encode(&self, encoding: Encoding) -> Result<TextureTable, EncodeError> {
+                encode(&self.facts(), self.values, encoding)
+            }
+        }
+    };
+}
+
+table!(HeightTable, height(grid));
+table!(HorizonTable, horizon(grid, azimuths, radius));
+table!(DistanceTable, distance(grid, azimuths, radius));
+table!(SweptHorizonTable, swept_horizon(grid, azimuths, radius, sweep));
+table!(SweptDistanceTable, swept_distance(grid, azimuths, radius, sweep));
+table!(SkyVisibilityTable, sky_visibility(grid, radius));
+table!(BentNormalTable, bent_normal(grid, radius));
+table!(ApertureConeTable, aperture_cone(grid, radius));
 
 /// A table in its stored form, ready for [`crate::AssetWriter::add_table`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct TextureTable {
     descriptor: TextureDescriptor,
     payload: Vec<u8>,
+    loss: Option<EncodingLoss>,
 }
 
 impl TextureTable {
@@ -113,7 +152,7 @@ impl TextureTable {
     /// Whatever [`TableView::new`] refuses.
     pub fn new(descriptor: TextureDescriptor, payload: Vec<u8>) -> Result<Self, DescriptorError> {
         TableView::new(descriptor, &payload)?;
-        Ok(Self { descriptor, payload })
+        Ok(Self { descriptor, payload, loss: None })
     }
 
     /// The kind of section the table goes into.
@@ -134,6 +173,12 @@ impl TextureTable {
         &self.payload
     }
 
+    /// What the encoding cost, if it was encoded here.
+    #[must_use]
+    pub fn loss(&self) -> Option<EncodingLoss> {
+        self.loss
+    }
+
     /// The descriptor and the payload, without a copy.
     #[must_use]
     pub fn into_parts(self) -> (TextureDescriptor, Vec<u8>) {
@@ -149,63 +194,29 @@ impl TextureTable {
     }
 }
 
-/// What is common to the tables of all kinds.
-struct Facts {
-    grid: TableGrid,
-    semantic: Semantic,
-    layers: u32,
-    radius: f64,
+fn encode(facts: &TableFacts, values: &[f32], encoding: Encoding) -> Result<TextureTable, EncodeError> {
+    // Facts first: a wrong extent must be refused before anything is made of it.
+    facts.descriptor(encoding).check()?;
+    let layer_values = facts.layer_values();
+    let (found, expected) = (values.len() as u64, layer_values.saturating_mul(u64::from(facts.layers())));
+    if found != expected {
+        return Err(EncodeError::Count { found, expected });
+    }
+    let (min, max) = extent(facts, values)?;
+    let mut encoder = TableEncoder::new(facts, encoding, min..=max)?;
+    let mut payload = Vec::with_capacity(encoder.descriptor().payload_length() as usize);
+    for (k, layer) in (0..).zip(values.chunks_exact(layer_values as usize)) {
+        payload.resize(encoder.descriptor().layer_offset(k) as usize, 0);
+        let measure = encoder.encode(layer, &mut payload)?;
+        encoder.record(k, measure)?;
+    }
+    let (descriptor, loss) = encoder.finish()?;
+    Ok(TextureTable { loss: Some(loss), ..TextureTable::new(descriptor, payload)? })
 }
 
-impl Facts {
-    fn encode(
-        &self,
-        values: &[f32],
-        encoding: Encoding,
-        legal: RangeInclusive<f32>,
-    ) -> Result<TextureTable, EncodeError> {
-        let mut descriptor = self.descriptor(encoding);
-        // Facts first: a wrong extent must be refused before anything is allocated for it.
-        descriptor.check()?;
-        let layer_texels = u64::from(self.grid.width) * u64::from(self.grid.height);
-        let encoded = encode(values, self.layers, layer_texels, encoding, legal)?;
-        descriptor.scale = f64::from(encoded.scale);
-        descriptor.bias = f64::from(encoded.bias);
-        (descriptor.range_min, descriptor.range_max) = (f64::from(encoded.range.0), f64::from(encoded.range.1));
-        descriptor.worst_case_error = encoded.worst_case_error;
-        Ok(TextureTable::new(descriptor, encoded.bytes)?)
-    }
-
-    /// The descriptor of a table of zeros.
-    fn descriptor(&self, encoding: Encoding) -> TextureDescriptor {
-        let grid = self.grid;
-        let directional = self.semantic.is_directional();
-        TextureDescriptor {
-            format: encoding.format(),
-            width: grid.width,
-            height: grid.height,
-            layers: self.layers,
-            mips: 1,
-            semantic: self.semantic,
-            unit: match self.semantic {
-                Semantic::HorizonElevation => Unit::Radian,
-                _ => Unit::Length(grid.length_unit),
-            },
-            length_unit: grid.length_unit,
-            wrap_u: grid.wrap_u,
-            wrap_v: grid.wrap_v,
-            filter: Filter::Linear,
-            mip_reducer: MipReducer::Mean,
-            scale: 1.0,
-            bias: 0.0,
-            range_min: 0.0,
-            range_max: 0.0,
-            worst_case_error: 0.0,
-            spacing_u: grid.spacing_u,
-            spacing_v: grid.spacing_v,
-            first_azimuth: 0.0,
-            azimuth_step: if directional { TAU / f64::from(self.layers) } else { 0.0 },
-            search_radius: self.radius,
-        }
-    }
+/// The least and the greatest value, all of them legal.
+fn extent(facts: &TableFacts, values: &[f32]) -> Result<(f32, f32), EncodeError> {
+    check_values(values, &facts.legal())?;
+    let ends = |(min, max): (f32, f32), &value: &f32| (min.min(value), max.max(value));
+    Ok(values.iter().fold((f32::INFINITY, f32::NEG_INFINITY), ends))
 }

@@ -59,7 +59,8 @@ impl Horizons {
 
     /// Elevations made up by the test.
     pub(crate) fn of(grid: &Grid, directions: u32, radius: f64, values: &[f32]) -> Self {
-        Self(HorizonTable { grid: table_grid(grid), directions, radius, values }.encode(Encoding::F32).unwrap())
+        let azimuths = barchan_asset::Azimuths::full_circle(directions);
+        Self(HorizonTable { grid: table_grid(grid), azimuths, radius, values }.encode(Encoding::F32).unwrap())
     }
 
     pub(crate) fn shadow(&self, light: &DirectionalLight) -> HorizonShadow {

@@ -1,12 +1,16 @@
 //! The 256 bytes that say what a table of texels is.
 
-use core::f64::consts::{FRAC_PI_2, TAU};
+mod check;
+mod error;
+
+pub use error::DescriptorError;
 
 use crate::bytes::{CHUNK_ALIGN, align_up, f64_at, first_nonzero, put, u32_at};
-use crate::{DescriptorError, Filter, Format, LengthUnit, MipReducer, Semantic, Unit, Wrap};
+use crate::{Azimuths, Filter, Format, LengthUnit, MipReducer, Semantic, Transfer, Unit, Wrap};
 
-/// The section version of every kind that this crate reads and writes.
-pub const SECTION_VERSION: u16 = 1;
+/// The newest section version of tables that this crate reads and writes; the oldest is 1. The texture descriptor has
+/// the version of its section.
+pub const SECTION_VERSION: u16 = 2;
 /// Bytes of a texture descriptor.
 pub(crate) const DESCRIPTOR_BYTES: usize = 256;
 /// The most texels along one axis.
@@ -14,11 +18,18 @@ pub const MAX_EXTENT: u32 = 65_536;
 /// The most layers.
 pub const MAX_LAYERS: u32 = 2048;
 
-const RESERVED_AT: usize = 128;
+const TRANSFER_AT: usize = 128;
+const CANDIDATES_AT: usize = 132;
+const CURVATURE_AT: usize = 136;
+
+/// Where the bytes start that are zero in a descriptor of that version.
+fn reserved_at(version: u16) -> usize {
+    if version == 1 { TRANSFER_AT } else { CURVATURE_AT + 16 }
+}
 
 /// What a table of texels is: extent, meaning, and how stored numbers become values.
 ///
-/// `value = scale · stored + bias`; see [`crate::TableView`] for the arithmetic.
+/// `value = transfer(scale · stored + bias)`; see [`crate::TableView`] for the arithmetic.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TextureDescriptor {
     /// How a texel is stored.
@@ -27,13 +38,13 @@ pub struct TextureDescriptor {
     pub width: u32,
     /// Texels along v, 1 to [`MAX_EXTENT`].
     pub height: u32,
-    /// 1 for heights; for directional tables the number of azimuths, 1 to [`MAX_LAYERS`].
+    /// The number of azimuths for directional tables, times `candidates` for swept ones, 1 to [`MAX_LAYERS`]; else 1.
     pub layers: u32,
     /// Mip levels stored; always 1 in this version.
     pub mips: u32,
     /// What the texels mean.
     pub semantic: Semantic,
-    /// The unit of decoded values: radian for elevations, else `length_unit`.
+    /// The unit of decoded values: radian for elevations, `length_unit` for lengths, else none.
     pub unit: Unit,
     /// The unit of spacing, search radius and lengths.
     pub length_unit: LengthUnit,
@@ -45,9 +56,9 @@ pub struct TextureDescriptor {
     pub filter: Filter,
     /// How to make coarser mip levels.
     pub mip_reducer: MipReducer,
-    /// Factor of stored numbers, ≥ 0 and exact as f32; 1 for `R32Float`, 0 for a constant table.
+    /// Factor of stored numbers, ≥ 0 and exact as f32; 1 for 32-bit floats, 0 for a constant table.
     pub scale: f64,
-    /// Offset of decoded values, exact as f32; 0 for `R32Float`.
+    /// Offset of stored numbers after that, exact as f32; 0 for 32-bit floats.
     pub bias: f64,
     /// The least decoded value, in `unit`.
     pub range_min: f64,
@@ -59,34 +70,56 @@ pub struct TextureDescriptor {
     pub spacing_u: f64,
     /// Length per texel along v, in `length_unit`, 1e-30 to 1e30.
     pub spacing_v: f64,
-    /// Azimuth of layer 0 in radians; always 0 in this version.
+    /// Azimuth of layer 0 in radians, within ±2π; 0 for a full circle.
     pub first_azimuth: f64,
-    /// Azimuth from one layer to the next in radians, 2π / layers; 0 for heights.
+    /// Azimuth from one layer to the next in radians, 2π / azimuths for a full circle; 0 where there is no direction.
     pub azimuth_step: f64,
     /// How far the horizon was searched, in `length_unit`, above 0; 0 for heights.
     pub search_radius: f64,
+    /// What becomes of `scale · stored + bias`.
+    pub transfer: Transfer,
+    /// Points per texel and azimuth, for swept tables; else 0. Layer = candidate · azimuths + direction.
+    pub candidates: u32,
+    /// The least curvature of the base surface that a swept table serves, in 1 / `length_unit`; else 0.
+    pub curvature_min: f64,
+    /// The greatest such curvature.
+    pub curvature_max: f64,
 }
 
 impl TextureDescriptor {
-    /// Reads and checks the descriptor of section version 1.
+    /// Reads and checks the descriptor of a section of that version.
     ///
     /// # Errors
-    /// Another length than 256 bytes, reserved bytes that are not zero, or whatever [`Self::check`] refuses.
-    pub fn parse(bytes: &[u8]) -> Result<Self, DescriptorError> {
+    /// An unknown version, another length than 256 bytes, reserved bytes that are not zero, what the version does not
+    /// have, or whatever [`Self::check`] refuses.
+    pub fn parse(bytes: &[u8], version: u16) -> Result<Self, DescriptorError> {
+        if !(1..=SECTION_VERSION).contains(&version) {
+            return Err(DescriptorError::Version { found: version });
+        }
         if bytes.len() != DESCRIPTOR_BYTES {
             return Err(DescriptorError::Length { found: bytes.len() as u64 });
         }
-        if let Some(at) = first_nonzero(&bytes[RESERVED_AT..]) {
-            return Err(DescriptorError::Reserved { offset: RESERVED_AT + at });
+        let reserved_at = reserved_at(version);
+        if let Some(at) = first_nonzero(&bytes[reserved_at..]) {
+            return Err(DescriptorError::Reserved { offset: reserved_at + at });
         }
         let descriptor = Self::read(bytes)?;
+        if version == 1 {
+            descriptor.fits_version_1()?;
+        }
         descriptor.check()?;
         Ok(descriptor)
     }
 
+    /// The version of the section that can hold it: the oldest, so that old readers read what they can.
+    #[must_use]
+    pub fn section_version(&self) -> u16 {
+        if self.fits_version_1().is_ok() { 1 } else { 2 }
+    }
+
     fn read(bytes: &[u8]) -> Result<Self, DescriptorError> {
         macro_rules! term {
-            ($kind:ident, $field:literal, $at:literal) => {{
+            ($kind:ident, $field:literal, $at:expr) => {{
                 let found = u32_at(bytes, $at);
                 let refused = DescriptorError::Enumeration { field: $field, found, accepted: $kind::ACCEPTED };
                 $kind::from_number(found).ok_or(refused)?
@@ -115,6 +148,10 @@ impl TextureDescriptor {
             first_azimuth: f64_at(bytes, 104),
             azimuth_step: f64_at(bytes, 112),
             search_radius: f64_at(bytes, 120),
+            transfer: term!(Transfer, "transfer", TRANSFER_AT),
+            candidates: u32_at(bytes, CANDIDATES_AT),
+            curvature_min: f64_at(bytes, CURVATURE_AT),
+            curvature_max: f64_at(bytes, CURVATURE_AT + 8),
         })
     }
 
@@ -154,89 +191,11 @@ impl TextureDescriptor {
         for (i, real) in reals.into_iter().enumerate() {
             put(&mut bytes, 48 + 8 * i, &real.to_le_bytes());
         }
+        put(&mut bytes, TRANSFER_AT, &self.transfer.number().to_le_bytes());
+        put(&mut bytes, CANDIDATES_AT, &self.candidates.to_le_bytes());
+        put(&mut bytes, CURVATURE_AT, &self.curvature_min.to_le_bytes());
+        put(&mut bytes, CURVATURE_AT + 8, &self.curvature_max.to_le_bytes());
         bytes
-    }
-
-    /// Whether every field is within the format and all agree with each other.
-    ///
-    /// # Errors
-    /// The first field that does not, with its value and what would be accepted.
-    pub fn check(&self) -> Result<(), DescriptorError> {
-        self.check_extent()?;
-        self.check_unit()?;
-        self.check_encoding()?;
-        self.check_range()?;
-        self.check_geometry()
-    }
-
-    fn check_extent(&self) -> Result<(), DescriptorError> {
-        let max_layers = if self.semantic.is_directional() { MAX_LAYERS } else { 1 };
-        for (field, found, max) in [
-            ("width", self.width, MAX_EXTENT),
-            ("height", self.height, MAX_EXTENT),
-            ("layers", self.layers, max_layers),
-            ("mips", self.mips, 1),
-        ] {
-            if found == 0 || found > max {
-                return Err(DescriptorError::Extent { field, found, min: 1, max });
-            }
-        }
-        Ok(())
-    }
-
-    fn check_unit(&self) -> Result<(), DescriptorError> {
-        let (expected, accepted) = match self.semantic {
-            Semantic::HorizonElevation => (Unit::Radian, "1 (radian) for elevations"),
-            _ => (Unit::Length(self.length_unit), "the same number as length_unit"),
-        };
-        if self.unit != expected {
-            return Err(DescriptorError::Enumeration { field: "unit", found: self.unit.number(), accepted });
-        }
-        Ok(())
-    }
-
-    fn check_encoding(&self) -> Result<(), DescriptorError> {
-        let (scale, bias) = (self.scale, self.bias);
-        if self.format == Format::R32Float {
-            real("scale", scale, scale == 1.0, "1 for R32_SFLOAT")?;
-            real("bias", bias, bias == 0.0, "0 for R32_SFLOAT")?;
-        }
-        real("scale", scale, is_f32(scale) && scale >= 0.0, "0 or more, finite and exact as f32")?;
-        real("bias", bias, is_f32(bias), "finite and exact as f32")?;
-        let error = self.worst_case_error;
-        real("worst_case_error", error, error.is_finite() && error >= 0.0, "0 or more and finite")
-    }
-
-    fn check_range(&self) -> Result<(), DescriptorError> {
-        let (min, max) = (self.range_min, self.range_max);
-        real("range_min", min, is_f32(min), "finite and exact as f32")?;
-        real("range_max", max, is_f32(max) && min <= max, "range_min or more, finite and exact as f32")?;
-        match self.semantic {
-            Semantic::Height => Ok(()),
-            Semantic::HorizonElevation => {
-                real("range_min", min, min > -FRAC_PI_2, "above −π/2")?;
-                real("range_max", max, max < FRAC_PI_2, "below π/2")
-            }
-            Semantic::HorizonDistance => {
-                real("range_min", min, min >= 0.0, "0 or more")?;
-                real("range_max", max, max <= self.search_radius, "search_radius or less")
-            }
-        }
-    }
-
-    fn check_geometry(&self) -> Result<(), DescriptorError> {
-        for (field, spacing) in [("spacing_u", self.spacing_u), ("spacing_v", self.spacing_v)] {
-            real(field, spacing, (1e-30..=1e30).contains(&spacing), "1e-30 to 1e30")?;
-        }
-        let (step, radius) = (self.azimuth_step, self.search_radius);
-        real("first_azimuth", self.first_azimuth, self.first_azimuth == 0.0, "0")?;
-        if self.semantic.is_directional() {
-            real("azimuth_step", step, step == TAU / f64::from(self.layers), "2π / layers")?;
-            real("search_radius", radius, radius > 0.0 && radius <= f64::from(f32::MAX), "above 0 and within f32")
-        } else {
-            real("azimuth_step", step, step == 0.0, "0 for heights")?;
-            real("search_radius", radius, radius == 0.0, "0 for heights")
-        }
     }
 
     /// Refuses a table of another meaning.
@@ -245,6 +204,19 @@ impl TextureDescriptor {
             return Err(DescriptorError::Semantic { found: self.semantic, expected });
         }
         Ok(())
+    }
+
+    /// The azimuths of the layers; `None` where there is no direction.
+    #[must_use]
+    pub fn azimuths(&self) -> Option<Azimuths> {
+        let count = self.layers / self.candidates.max(1);
+        self.semantic.is_directional().then(|| Azimuths::from_parts(self.first_azimuth, self.azimuth_step, count))
+    }
+
+    /// Numbers in one layer: texels times channels.
+    #[must_use]
+    pub fn layer_values(&self) -> u64 {
+        u64::from(self.width) * u64::from(self.height) * u64::from(self.format.channels())
     }
 
     /// Bytes of one row of texels.
@@ -262,7 +234,7 @@ impl TextureDescriptor {
     /// Bytes from the start of one layer to the start of the next: a multiple of 256.
     #[must_use]
     pub fn layer_stride(&self) -> u64 {
-        // At most 2³⁴ for a checked descriptor, so aligning cannot overflow; one that was not checked saturates.
+        // At most 2³⁶ for a checked descriptor, so aligning cannot overflow; one that was not checked saturates.
         align_up(self.layer_bytes(), CHUNK_ALIGN).unwrap_or(u64::MAX)
     }
 
@@ -277,12 +249,4 @@ impl TextureDescriptor {
     pub fn payload_length(&self) -> u64 {
         self.layer_offset(self.layers.saturating_sub(1)).saturating_add(self.layer_bytes())
     }
-}
-
-fn is_f32(value: f64) -> bool {
-    value.is_finite() && f64::from(value as f32) == value
-}
-
-fn real(field: &'static str, found: f64, holds: bool, accepted: &'static str) -> Result<(), DescriptorError> {
-    if holds { Ok(()) } else { Err(DescriptorError::Number { field, found, accepted }) }
 }
