@@ -39,15 +39,20 @@ impl<'a> Exec<'a> {
     pub(crate) fn for_each<T: Send>(&self, pieces: Vec<T>, work: impl Fn(usize, T) + Sync) {
         let total = pieces.len();
         let done = AtomicUsize::new(0);
+        self.for_each_quietly(pieces, |index, piece| {
+            work(index, piece);
+            let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
+            if let Some(report) = self.on_progress {
+                report(finished, total);
+            }
+        });
+    }
+
+    /// [`Exec::for_each`] without progress: for work that is itself a small part of what is being reported.
+    pub(crate) fn for_each_quietly<T: Send>(&self, pieces: Vec<T>, work: impl Fn(usize, T) + Sync) {
         self.pool.install(|| {
             // One piece at a time: pieces are few and large, and stealing half of them would leave a thread idle.
-            pieces.into_par_iter().enumerate().with_max_len(1).for_each(|(index, piece)| {
-                work(index, piece);
-                let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
-                if let Some(report) = self.on_progress {
-                    report(finished, total);
-                }
-            });
+            pieces.into_par_iter().enumerate().with_max_len(1).for_each(|(index, piece)| work(index, piece));
         });
     }
 }
