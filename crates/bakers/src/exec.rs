@@ -50,15 +50,30 @@ impl<'a> Exec<'a> {
     ) {
         let total = pieces.len();
         let done = AtomicUsize::new(0);
+        self.spread(pieces, buffers, |buffers, piece| {
+            work(buffers, piece);
+            let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
+            if let Some(report) = self.on_progress {
+                report(finished, total);
+            }
+        });
+    }
+
+    /// [`Exec::for_each`] without progress: for work that is itself a small part of what is being reported.
+    pub(crate) fn for_each_quietly<T: Send>(&self, pieces: Vec<T>, work: impl Fn(usize, T) + Sync) {
+        let indexed = pieces.into_iter().enumerate().collect();
+        self.spread(indexed, || (), |(), (index, piece)| work(index, piece));
+    }
+
+    fn spread<T: Send, B>(
+        &self,
+        pieces: Vec<T>,
+        buffers: impl Fn() -> B + Sync + Send,
+        work: impl Fn(&mut B, T) + Sync + Send,
+    ) {
         self.pool.install(|| {
             // One piece at a time: pieces are few and large, and stealing half of them would leave a thread idle.
-            pieces.into_par_iter().with_max_len(1).for_each_init(buffers, |buffers, piece| {
-                work(buffers, piece);
-                let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
-                if let Some(report) = self.on_progress {
-                    report(finished, total);
-                }
-            });
+            pieces.into_par_iter().with_max_len(1).for_each_init(buffers, |buffers, piece| work(buffers, piece));
         });
     }
 }

@@ -6,6 +6,7 @@
 mod error;
 mod exec;
 pub mod horizon;
+pub mod sky;
 
 pub use error::BakeError;
 pub use exec::Exec;
