@@ -4,8 +4,8 @@
 //! cargo run --release -p barchan-bakers --example kappa -- [--csv]
 //! ```
 //!
-//! Shapes of 128² texels of length 1 that repeat, standing on the base surface (their lowest texel is at height 0), search radius 128;
-//! every second column and row, five azimuths. One table of each shape is baked for all curvatures of a range and read
+//! Every example shape that repeats, 256² texels of length 1, standing on the base surface (its lowest texel is at height 0); search
+//! radius 200, every fourth column and row, five azimuths. One table of each shape is baked for all curvatures of a range and read
 //! as a run time reads it, by `barchan_shade`. What it is held against is brute force over all distances.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "an example's output is its purpose")]
@@ -16,24 +16,26 @@ use std::time::Instant;
 use barchan_bakers::horizon::{Azimuths, HorizonParams, Method};
 use barchan_bakers::swept::reference::{BentReference, CurvedReference};
 use barchan_bakers::swept::{
-    CandidateLayer, CurvatureRange, MAX_POINTS, Nodes, PointLayerMut, SelectionErrors, measure_band, select_band,
+    CandidateLayer, CurvatureRange, MAX_POINTS, Nodes, PointLayerMut, SelectionErrors, Tie, measure_band, select_band,
 };
-use barchan_field::shapes::{Axis, CylinderBumps, Dunes, FractalTerrain, ReptileSkin, RipplePattern, Ripples};
 use barchan_field::{Edge, Grid, HeightField, LengthUnit, Shape, Spacing};
 use barchan_metrics::ErrorStats;
 use barchan_shade::{StoredPoint, curved_horizon, paper_horizon};
 
-/// Texels of a shape's side, and the search radius.
-const SIZE: u32 = 128;
+/// Texels of a shape's side.
+const SIZE: u32 = 256;
 /// Every how many columns and rows.
-const STRIDE: usize = 2;
+const STRIDE: usize = 4;
+/// In texels: within half round the most concave surface.
+const RADIUS: f64 = 200.0;
 /// Of 16 azimuths: 0°, 22.5°, 45°, 112.5°, 247.5°.
 const DIRECTIONS: [u32; 5] = [0, 1, 2, 5, 11];
 /// Per texel length.
 const CURVATURES: [f64; 5] = [-0.015, -0.005, 0.0, 0.005, 0.015];
 const RANGES: [CurvatureRange; 2] =
     [CurvatureRange { min: -0.015, max: 0.015 }, CurvatureRange { min: 0.0, max: 0.015 }];
-const COLUMNS: [&str; 7] = ["flat map", "paper", "one, exact", "K = 2", "K = 3", "K = 4", "all candidates"];
+const COLUMNS: [&str; 8] =
+    ["flat map", "paper", "paper, nearest", "K = 1, exact", "K = 2", "K = 3", "K = 4", "all candidates"];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let csv = std::env::args().any(|argument| argument == "--csv");
@@ -41,12 +43,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("range_min,range_max,bends,field,curvature,method,rms_degrees,max_degrees");
     }
     for range in RANGES {
-        let nodes = Nodes::recommended(&range, f64::from(SIZE));
+        let nodes = Nodes::recommended(&range, RADIUS);
         if !csv {
             print_heading(&range, &nodes);
         }
         for (name, field) in fields()? {
-            let study = Study::new(&field, &nodes);
+            let study = Study::new(&field, &nodes, range.tie());
             eprintln!("{name}: {}", study.remarks);
             for curvature in CURVATURES.into_iter().filter(|curvature| (range.min..=range.max).contains(curvature)) {
                 let errors = study.errors(curvature);
@@ -96,7 +98,6 @@ fn print_bytes() {
 /// Two digits that mean something.
 fn degrees(radians: f64) -> String {
     match radians.to_degrees() {
-        exact if exact < 5e-5 => "0".to_owned(),
         small if small < 0.0995 => format!("{small:.3}"),
         middle if middle < 0.995 => format!("{middle:.2}"),
         large => format!("{large:.1}"),
@@ -104,22 +105,8 @@ fn degrees(radians: f64) -> String {
 }
 
 fn fields() -> Result<Vec<(&'static str, HeightField)>, Box<dyn Error>> {
-    let shapes = [
-        Shape::Ripples(Ripples { amplitude: 2.0, waves_u: 8, waves_v: 0, phase: 0.0, pattern: RipplePattern::Oblique }),
-        Shape::CylinderBumps(CylinderBumps { height: 8.0, rows: 8, coverage: 1.0, across: Axis::U }),
-        Shape::FractalTerrain(FractalTerrain { height: 20.0, hurst: 0.9, features_across: 2, octaves: 6, seed: 1 }),
-        Shape::Dunes(Dunes {
-            dune_height: 12.0,
-            dunes_across: 2,
-            ripple_height: 0.6,
-            ripples_across: 24,
-            sinuosity: 0.6,
-            slip_degrees: 32.0,
-            seed: 7,
-        }),
-        Shape::ReptileSkin(ReptileSkin { scale_height: 4.0, scales_across: 8, irregularity: 0.5, seed: 3 }),
-    ];
-    shapes.into_iter().map(|shape| Ok((shape.name(), on_the_base(&shape)?))).collect()
+    let shapes = Shape::examples().into_iter().filter(Shape::tiles);
+    shapes.map(|shape| Ok((shape.name(), on_the_base(&shape)?))).collect()
 }
 
 /// A shape with its lowest texel on the base surface.
@@ -140,9 +127,10 @@ struct Study<'a> {
     remarks: String,
 }
 
-/// Of one direction: what every bend found, and tables of 2, 3 and 4 points.
+/// Of one direction: the flat horizon by either rule for ties, what every bend found, and tables of 2, 3 and 4 points.
 struct DirectionTables {
     direction: u32,
+    flat: [Layer; 2],
     candidates: Vec<Layer>,
     tables: [Vec<Layer>; 3],
 }
@@ -164,29 +152,25 @@ impl Layer {
 }
 
 fn params() -> HorizonParams {
-    HorizonParams {
-        azimuths: Azimuths::full_circle(16),
-        radius: f64::from(SIZE),
-        distance: true,
-        method: Method::default(),
-    }
+    HorizonParams { azimuths: Azimuths::full_circle(16), radius: RADIUS, distance: true, method: Method::default() }
 }
 
 impl<'a> Study<'a> {
-    fn new(field: &'a HeightField, nodes: &Nodes) -> Self {
+    fn new(field: &'a HeightField, nodes: &Nodes, tie: Tie) -> Self {
         let lines = || (0..SIZE).step_by(STRIDE);
         let texels: Vec<(u32, u32)> = lines().flat_map(|row| lines().map(move |column| (column, row))).collect();
         let heights: Vec<f32> = texels.iter().map(|&(c, r)| field.texel(i64::from(c), i64::from(r))).collect();
         let mut errors = SelectionErrors::default();
         let (mut seconds, mut directions) = (0.0, Vec::new());
         for direction in DIRECTIONS {
-            let candidates = candidates(field, &texels, direction, nodes);
+            let candidates = found(field, &texels, direction, nodes.bends(), tie);
+            let flat = [Tie::Farthest, Tie::Nearest].map(|tie| found(field, &texels, direction, &[0.0], tie).remove(0));
             let views: Vec<_> = candidates.iter().map(Layer::view).collect();
             measure_band(nodes, &heights, &views, &mut errors);
             let start = Instant::now();
             let tables = [2, 3, 4].map(|points| chosen(nodes, &heights, &views, points));
             seconds += start.elapsed().as_secs_f64() / (3 * DIRECTIONS.len() * texels.len()) as f64;
-            directions.push(DirectionTables { direction, candidates, tables });
+            directions.push(DirectionTables { direction, flat, candidates, tables });
         }
         let kept: Vec<_> =
             (1..=MAX_POINTS).map(|points| format!("{:.2}°", errors.percentile_degrees(points))).collect();
@@ -217,11 +201,12 @@ impl DirectionTables {
             let points: Vec<_> = layers.iter().map(|layer| layer.point(texel)).collect();
             curved_horizon(&points, curvature, height)
         };
-        let flat = self.candidates[0].point(texel);
+        let [flat, nearest] = self.flat.each_ref().map(|layer| layer.point(texel));
         let [two, three, four] = &self.tables;
         [
             flat.slope,
             paper_horizon(flat, curvature, height),
+            paper_horizon(nearest, curvature, height),
             horizon(&self.candidates[..1]),
             horizon(two),
             horizon(three),
@@ -231,14 +216,14 @@ impl DirectionTables {
     }
 }
 
-fn candidates(field: &HeightField, texels: &[(u32, u32)], direction: u32, nodes: &Nodes) -> Vec<Layer> {
+fn found(field: &HeightField, texels: &[(u32, u32)], direction: u32, bends: &[f64], tie: Tie) -> Vec<Layer> {
     let layer = |&bend: &f64| {
-        let bent = BentReference::new(field, &params(), direction, bend);
+        let bent = BentReference::new(field, &params(), direction, bend, tie);
         let points = texels.iter().map(|&(column, row)| bent.point(column, row));
         let (slope, distance) = points.map(|point| (point.slope as f32, point.distance as f32)).unzip();
         Layer { slope, distance }
     };
-    nodes.bends().iter().map(layer).collect()
+    bends.iter().map(layer).collect()
 }
 
 fn chosen(nodes: &Nodes, heights: &[f32], candidates: &[CandidateLayer], points: usize) -> Vec<Layer> {

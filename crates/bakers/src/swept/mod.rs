@@ -44,7 +44,7 @@ mod select;
 pub use accuracy::SelectionErrors;
 pub use layers::{CandidateLayer, PointLayerMut, measure_band, select_band};
 pub use nodes::Nodes;
-pub use params::{CurvatureRange, MAX_POINTS, Points, SweptParams};
+pub use params::{CurvatureRange, MAX_POINTS, Points, SweptParams, Tie};
 pub use select::{HorizonCandidate, losses_by_count, select};
 
 /// Names the algorithm in provenance. It changes when a table's bytes do.

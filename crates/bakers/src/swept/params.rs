@@ -16,6 +16,16 @@ pub struct CurvatureRange {
     pub max: f64,
 }
 
+/// Which of several points of the relief counts that a flat surface shows at the same, highest slope, as flat tops of one height and regular
+/// patterns do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Tie {
+    /// The nearest: the highest of them once the surface is convex, however slightly.
+    Nearest,
+    /// The farthest: the highest of them once it is concave; the rule of a horizon map for flat surfaces.
+    Farthest,
+}
+
 /// How many points each texel has in each direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Points {
@@ -36,6 +46,12 @@ pub struct SweptParams {
 }
 
 impl CurvatureRange {
+    /// The rule for the flat layer of this range: that of its more strongly curved side.
+    #[must_use]
+    pub fn tie(&self) -> Tie {
+        if self.max >= -self.min { Tie::Nearest } else { Tie::Farthest }
+    }
+
     /// Refuses what is not a range, circles smaller than a texel, and a search that goes round the tightest hollow more than half.
     pub fn check(&self, grid: &Grid, radius: f64) -> Result<(), BakeError> {
         let Self { min, max } = *self;

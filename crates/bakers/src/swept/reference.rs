@@ -11,6 +11,7 @@ use std::f64::consts::PI;
 
 use barchan_field::HeightField;
 
+use super::params::Tie;
 use super::ray::{Parabola, RayCells};
 use crate::horizon::{HorizonParams, HorizonPoint};
 
@@ -26,21 +27,22 @@ pub struct BentReference<'a> {
     field: &'a HeightField,
     ray: RayCells,
     bend: f64,
+    tie: Tie,
 }
 
 impl<'a> BentReference<'a> {
     /// `params` must have been accepted for the field; the bend λ is in the inverse of its length unit.
     #[must_use]
-    pub fn new(field: &'a HeightField, params: &HorizonParams, direction: u32, bend: f64) -> Self {
+    pub fn new(field: &'a HeightField, params: &HorizonParams, direction: u32, bend: f64, tie: Tie) -> Self {
         let ray = RayCells::new(params.azimuths.vector(direction), field.grid().spacing, params.radius);
-        Self { field, ray, bend }
+        Self { field, ray, bend, tie }
     }
 
-    /// The point that maximises δ(s) − λs, with its *flat* slope δ. Of equal points the farthest.
+    /// The point that maximises δ(s) − λs, with its *flat* slope δ.
     #[must_use]
     pub fn point(&self, column: u32, row: u32) -> HorizonPoint {
         let texel = (i64::from(column), i64::from(row));
-        let mut best = Highest::NONE;
+        let mut best = Highest::none(self.tie);
         for cell in &self.ray.cells {
             let surface = self.ray.parabola(self.field, texel, cell);
             let bent = Parabola { bend: surface.bend - self.bend, ..surface };
@@ -58,19 +60,28 @@ impl<'a> BentReference<'a> {
     }
 }
 
-/// The highest point so far, by a measure other than its slope.
+/// The highest point so far, by a measure other than its slope. Points come nearest first.
 struct Highest {
     measure: f64,
     point: HorizonPoint,
+    tie: Tie,
 }
 
 impl Highest {
-    const NONE: Self =
-        Self { measure: f64::NEG_INFINITY, point: HorizonPoint { slope: f64::NEG_INFINITY, distance: 0.0 } };
+    fn none(tie: Tie) -> Self {
+        let point = HorizonPoint { slope: f64::NEG_INFINITY, distance: 0.0 };
+        Self { measure: f64::NEG_INFINITY, point, tie }
+    }
 
     fn raise(&mut self, measure: f64, slope: f64, distance: f64) {
-        if measure > self.measure || (measure == self.measure && distance > self.point.distance) {
-            *self = Self { measure, point: HorizonPoint { slope, distance } };
+        /// What rounding may put between equals: a farther point must be higher by more than that to displace a nearer one.
+        const ROUNDING: f64 = 1e-12;
+        let higher = match self.tie {
+            Tie::Nearest => measure > self.measure + ROUNDING * (1.0 + measure.abs()),
+            Tie::Farthest => measure >= self.measure,
+        };
+        if higher {
+            *self = Self { measure, point: HorizonPoint { slope, distance }, ..*self };
         }
     }
 }
