@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 use barchan_field::HeightField;
 
 use super::params::Tie;
-use super::ray::{Parabola, RayCells};
+use super::ray::{Cell, Parabola, RayCells};
 use crate::horizon::{HorizonParams, HorizonPoint};
 
 /// Distances per cell at which the curved horizon is looked for, besides the refinement.
@@ -125,32 +125,38 @@ impl<'a> CurvedReference<'a> {
         if stretch <= 0.0 {
             return best;
         }
-        let mut best_cell = None;
-        for (cell, turns) in self.ray.cells.iter().zip(self.samples.chunks_exact(SAMPLES_PER_CELL as usize)) {
-            let surface = self.ray.parabola(self.field, texel, cell);
-            if cell.start == 0.0 {
+        let mut best_cell = 0;
+        for (index, turns) in self.samples.chunks_exact(SAMPLES_PER_CELL as usize).enumerate() {
+            let surface = self.ray.parabola(self.field, texel, &self.ray.cells[index]);
+            if index == 0 {
                 best.raise(surface.slope / stretch, 0.0);
             }
             let before = best;
             for turn in turns {
                 best.raise(turn.slope(surface.seen_at(turn.distance), stretch), turn.distance);
             }
-            if best != before {
-                best_cell = Some((surface, cell.start, cell.end));
-            }
+            best_cell = if best == before { best_cell } else { index };
         }
-        if let Some((surface, start, end)) = best_cell {
-            let slope = |s: f64| Turn::new(self.curvature, s).slope(surface.seen_at(s), stretch);
-            let gap = (end - start) / f64::from(SAMPLES_PER_CELL);
-            let middle = best.distance;
-            for (low, high) in [(middle - gap, middle), (middle, middle + gap)] {
-                let peak = golden_sections(low.max(start), high.min(end), slope);
-                if peak > 0.0 {
-                    best.raise(slope(peak), peak);
-                }
-            }
+        // The best sample may be the border to the next cell.
+        for cell in self.ray.cells.iter().skip(best_cell).take(2) {
+            self.refine(texel, stretch, cell, &mut best);
         }
         best
+    }
+
+    /// Looks closer on both sides of the best sample, as far as they are in a cell.
+    fn refine(&self, texel: (i64, i64), stretch: f64, cell: &Cell, best: &mut HorizonPoint) {
+        let surface = self.ray.parabola(self.field, texel, cell);
+        let slope = |s: f64| Turn::new(self.curvature, s).slope(surface.seen_at(s), stretch);
+        let gap = (cell.end - cell.start) / f64::from(SAMPLES_PER_CELL);
+        let middle = best.distance;
+        for (low, high) in [(middle - gap, middle), (middle, middle + gap)] {
+            let (low, high) = (low.max(cell.start), high.min(cell.end));
+            if low < high {
+                let peak = golden_sections(low, high, slope);
+                best.raise(slope(peak), peak);
+            }
+        }
     }
 }
 
