@@ -1,12 +1,14 @@
-//! The curvature-swept horizon against the exact one: RMS error of the angle per shape and curvature. Markdown on stdout, or CSV.
+//! The curvature-swept horizon against the exact one: RMS error of the angle per shape and curvature. Markdown on
+//! stdout, or CSV.
 //!
 //! ```text
 //! cargo run --release -p barchan-bakers --example kappa -- [--csv]
 //! ```
 //!
-//! Every example shape that repeats, 256² texels of length 1, standing on the base surface (its lowest texel is at height 0); search
-//! radius 200, every fourth column and row, five azimuths. One table of each shape is baked for all curvatures of a range and read
-//! as a run time reads it, by `barchan_shade`. What it is held against is brute force over all distances.
+//! Every example shape that repeats, 256² texels of length 1, standing on the base surface (its lowest texel is at
+//! height 0); search radius 200, every fourth column and row, five azimuths. One table of each shape is baked for all
+//! curvatures of a range and read as a run time reads it, by `barchan_shade`. What it is held against is brute force
+//! over all distances.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "an example's output is its purpose")]
 

@@ -1,8 +1,8 @@
 //! What each number of points loses, and how many keep an error.
 //!
-//! A texel's error in a direction is the angle by which its stored points fail the highest of all candidates at the worst
-//! curvature of the range. Bounding its maximum over a map would let one texel in a million decide for all, and its mean would
-//! hide that texels differ: the error asked for is kept by 99 of 100.
+//! A texel's error in a direction is the angle by which its stored points fail the highest of all candidates at the
+//! worst curvature of the range. Bounding its maximum over a map would let one texel in a million decide for all, and
+//! its mean would hide that texels differ: the error asked for is kept by 99 of 100.
 //!
 //! Errors are counted in bins, 16 to an octave, from whole numbers alone: counts may be merged in any order.
 
@@ -50,8 +50,8 @@ impl SelectionErrors {
         }
     }
 
-    /// The angle that 99 of 100 errors do not exceed with so many points, in degrees; rounded up, by at most 1/16. 0 where
-    /// nothing was counted.
+    /// The angle that 99 of 100 errors do not exceed with so many points, in degrees; rounded up, by at most 1/16. 0
+    /// where nothing was counted.
     ///
     /// # Panics
     ///
@@ -70,8 +70,8 @@ impl SelectionErrors {
         90.0
     }
 
-    /// The fewest points that keep an error, in degrees, for 99 of 100; as many as there may be where none do, in which case
-    /// more bends will have to be swept as well.
+    /// The fewest points that keep an error, in degrees, for 99 of 100; as many as there may be where none do, in
+    /// which case more bends will have to be swept as well.
     #[must_use]
     pub fn points_for(&self, max_error_degrees: f64) -> usize {
         (1..=MAX_POINTS).find(|&points| self.percentile_degrees(points) <= max_error_degrees).unwrap_or(MAX_POINTS)

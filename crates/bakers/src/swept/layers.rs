@@ -32,8 +32,8 @@ impl CandidateLayer<'_> {
 
 /// Chooses the points of a band. Every texel by itself: bands may be cut and ordered in any way.
 ///
-/// `heights` above the base surface, `candidates` one layer per bend of `nodes`, the flat first, and `points`, one layer per point to
-/// store, whose first will be the flat layer, are all of the same texels in the same order.
+/// `heights` above the base surface, `candidates` one layer per bend of `nodes`, the flat first, and `points`, one
+/// layer per point to store, whose first will be the flat layer, are all of the same texels in the same order.
 ///
 /// # Panics
 ///

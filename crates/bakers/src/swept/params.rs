@@ -16,8 +16,8 @@ pub struct CurvatureRange {
     pub max: f64,
 }
 
-/// Which of several points of the relief counts that a flat surface shows at the same, highest slope, as flat tops of one height and regular
-/// patterns do.
+/// Which of several points of the relief counts that a flat surface shows at the same, highest slope, as flat tops of
+/// one height and regular patterns do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Tie {
     /// The nearest: the highest of them once the surface is convex, however slightly.
@@ -31,8 +31,8 @@ pub enum Tie {
 pub enum Points {
     /// So many, 1 to [`MAX_POINTS`]; 1 is the flat horizon alone.
     Count(u32),
-    /// As few as keep the error of the angle at or below this, in degrees, for 99 of 100 texels and directions, at the worst
-    /// curvature of the range for each. Positive.
+    /// As few as keep the error of the angle at or below this, in degrees, for 99 of 100 texels and directions, at
+    /// the worst curvature of the range for each. Positive.
     MaxErrorDegrees(f64),
 }
 
@@ -46,13 +46,15 @@ pub struct SweptParams {
 }
 
 impl CurvatureRange {
-    /// The rule for the flat layer of this range: that of its more strongly curved side.
+    /// The rule for the flat layer of this range: that of its more strongly curved side. A sweep may have it by a
+    /// bend too small to matter, 1e-6 over the search radius.
     #[must_use]
     pub fn tie(&self) -> Tie {
         if self.max >= -self.min { Tie::Nearest } else { Tie::Farthest }
     }
 
-    /// Refuses what is not a range, circles smaller than a texel, and a search that goes round the tightest hollow more than half.
+    /// Refuses what is not a range, circles smaller than a texel, and a search that goes round the tightest hollow
+    /// more than half.
     pub fn check(&self, grid: &Grid, radius: f64) -> Result<(), BakeError> {
         let Self { min, max } = *self;
         let refuse =
@@ -66,7 +68,7 @@ impl CurvatureRange {
         }
         if -min * radius >= std::f64::consts::PI {
             return refuse(
-                "a concave radius of more than 1/π of the search radius is accepted: the rest of a tighter hollow is behind",
+                "a concave radius of more than 1/π of the search radius is accepted: half round a hollow is behind",
             );
         }
         Ok(())

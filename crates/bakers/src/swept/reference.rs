@@ -1,11 +1,11 @@
 //! The obvious twins, one ray per texel, walked cell by cell in f64.
 //!
-//! [`BentReference`] finds the candidate of one bend: δ(s) − λs is A/s + B + (C − λ)s in a bilinear cell, whose maximum is at an end
-//! or, where A and C − λ are negative, at √(A/(C − λ)). Nothing is sampled.
+//! [`BentReference`] finds the candidate of one bend: δ(s) − λs is A/s + B + (C − λ)s in a bilinear cell, whose
+//! maximum is at an end or, where A and C − λ are negative, at √(A/(C − λ)). Nothing is sampled.
 //!
-//! [`CurvedReference`] is the truth that swept tables are held against: every distance, by the exact formula. It is not a
-//! parabola any more, so each cell is sampled at 8 distances and its end, and the best sample is refined by golden sections to
-//! either side. A second maximum between two samples 1/8 of a cell apart would be missed.
+//! [`CurvedReference`] is the truth that swept tables are held against: every distance, by the exact formula. It is
+//! not a parabola any more, so each cell is sampled at 8 distances and its end, and the best sample is refined by
+//! golden sections to either side. A second maximum between two samples 1/8 of a cell apart would be missed.
 
 use std::f64::consts::PI;
 
@@ -18,8 +18,8 @@ use crate::horizon::{HorizonParams, HorizonPoint};
 /// Distances per cell at which the curved horizon is looked for, besides the refinement.
 const SAMPLES_PER_CELL: u32 = 8;
 
-/// Golden sections around the best sample: 0.618 to this power of 1/8 of a cell is left of the place, and its square of the
-/// value.
+/// Golden sections around the best sample: 0.618 to this power of 1/8 of a cell is left of the place, and its square
+/// of the value.
 const SECTIONS: u32 = 20;
 
 /// The horizon of relief bent down by λs², for one direction: the twin of the fast sweep.
@@ -74,7 +74,8 @@ impl Highest {
     }
 
     fn raise(&mut self, measure: f64, slope: f64, distance: f64) {
-        /// What rounding may put between equals: a farther point must be higher by more than that to displace a nearer one.
+        /// What rounding may put between equals: a farther point must be higher by more than that to displace a
+        /// nearer one.
         const ROUNDING: f64 = 1e-12;
         let higher = match self.tie {
             Tie::Nearest => measure > self.measure + ROUNDING * (1.0 + measure.abs()),
@@ -96,8 +97,8 @@ pub struct CurvedReference<'a> {
 }
 
 impl<'a> CurvedReference<'a> {
-    /// `params` must have been accepted for the field; the curvature is in the inverse of its length unit. Looks no farther than half
-    /// round the circle, beyond which everything is behind.
+    /// `params` must have been accepted for the field; the curvature is in the inverse of its length unit. Looks no
+    /// farther than half round the circle, beyond which everything is behind.
     #[must_use]
     pub fn new(field: &'a HeightField, params: &HorizonParams, direction: u32, curvature: f64) -> Self {
         let radius = params.radius.min(PI / curvature.abs());
@@ -112,8 +113,8 @@ impl<'a> CurvedReference<'a> {
         Self { field, ray, curvature, samples }
     }
 
-    /// The highest point as the texel sees it on the curved surface, with its *curved* slope; −∞ where the texel is at the centre
-    /// of a concave surface or beyond.
+    /// The highest point as the texel sees it on the curved surface, with its *curved* slope; −∞ where the texel is
+    /// at the centre of a concave surface or beyond.
     ///
     /// On a convex surface this includes what the smooth surface hides, if heights are at or above it and the search
     /// reaches the point of touch.
@@ -172,8 +173,9 @@ fn golden_sections(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f
 
 /// What is needed of an angle γ = κs round the circle, the same for every texel.
 ///
-/// The exact form, [δ cos γ − (1 + κh) ½κs sinc²(γ/2)] / [(1 + κh + κsδ) sinc γ], of Onoue, Max, Nishita, *Bumpmap Shadows on Curved
-/// Surfaces*, before eq 2, with the point's own height put into the denominator, where print omits it.
+/// The exact form, [δ cos γ − (1 + κh) ½κs sinc²(γ/2)] / [(1 + κh + κsδ) sinc γ], of Onoue, Max, Nishita, *Bumpmap
+/// Shadows on Curved Surfaces*, before eq 2, with the point's own height put into the denominator, where print omits
+/// it.
 struct Turn {
     distance: f64,
     angle: f64,

@@ -12,8 +12,8 @@ fn point(slope: f64, distance: f64) -> StoredPoint {
     StoredPoint { slope, distance }
 }
 
-/// The slope by construction: both ends are placed on their normals of a circle of radius 1/κ. A concave circle has a negative
-/// radius and turns the other way, which needs no other formula.
+/// The slope by construction: both ends are placed on their normals of a circle of radius 1/κ. A concave circle has a
+/// negative radius and turns the other way, which needs no other formula.
 fn constructed(point: StoredPoint, curvature: f64, height: f64) -> f64 {
     let radius = 1.0 / curvature;
     let (sin, cos) = (point.distance / radius).sin_cos();
@@ -60,7 +60,8 @@ proptest! {
         points in prop::collection::vec((-3.0_f64..3.0, 0.0_f64..200.0), 1..6), curvature in -0.015_f64..0.015,
     ) {
         let points: Vec<_> = points.into_iter().map(|(slope, distance)| point(slope, distance)).collect();
-        let horizons: Vec<_> = (1..=points.len()).map(|count| curved_horizon(&points[..count], curvature, 4.0)).collect();
+        let leading = (1..=points.len()).map(|count| &points[..count]);
+        let horizons: Vec<_> = leading.map(|points| curved_horizon(points, curvature, 4.0)).collect();
         prop_assert!(horizons.is_sorted(), "{horizons:?}");
     }
 }
