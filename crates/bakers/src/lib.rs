@@ -7,6 +7,7 @@ mod error;
 mod exec;
 pub mod horizon;
 pub mod sky;
+pub mod swept;
 
 pub use error::BakeError;
 pub use exec::Exec;

@@ -8,6 +8,7 @@
 //! The frame is the asset's: u right, v up the picture, height towards the viewer. A place on a table is given in texels
 //! from the centre of texel (0, 0): `x` counts columns, `y` rows downwards, so texel centres are whole numbers.
 
+mod curved;
 mod horizon;
 mod light;
 mod picture;
@@ -15,6 +16,10 @@ mod surface;
 mod texture;
 mod traced;
 
+pub use curved::{
+    CLOSED, Correction, NO_HORIZON, StoredPoint, curved_horizon, geometric_horizon, geometric_horizon_as_printed,
+    paper_horizon,
+};
 pub use horizon::HorizonShadow;
 pub use light::DirectionalLight;
 pub use picture::{Palette, Picture, Pixels};

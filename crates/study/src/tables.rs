@@ -1,7 +1,7 @@
 //! Fields and maps as a file stores them: the road from a bake to what a shader reads.
 
 use barchan_asset::{
-    Encoding, HeightTable, HeightView, HorizonTable, LengthUnit as AssetUnit, TableGrid, TextureTable, Wrap,
+    Azimuths, Encoding, HeightTable, HeightView, HorizonTable, LengthUnit as AssetUnit, TableGrid, TextureTable, Wrap,
 };
 use barchan_bakers::horizon::HorizonMap;
 use barchan_field::{Edge, Grid, HeightField};
@@ -18,8 +18,8 @@ pub(crate) fn surface(field: &HeightField) -> Result<Surface, StudyError> {
 /// A horizon map in its stored form.
 pub(crate) fn horizon(map: &HorizonMap, encoding: Encoding) -> Result<TextureTable, StudyError> {
     let grid = table_grid(&map.grid);
-    let (directions, radius) = (map.params.directions(), map.params.radius);
-    Ok(HorizonTable { grid, directions, radius, values: &map.elevation_radians }.encode(encoding)?)
+    let (azimuths, radius) = (Azimuths::full_circle(map.params.directions()), map.params.radius);
+    Ok(HorizonTable { grid, azimuths, radius, values: &map.elevation_radians }.encode(encoding)?)
 }
 
 /// Lengths are only compared with each other here, so all units are the scene's.

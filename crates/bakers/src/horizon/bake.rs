@@ -11,12 +11,12 @@ use super::lines::{LINES, Lines};
 use super::map::LayerMut;
 use super::sheared::{HeightScale, Sheared};
 use super::sweep::{Units, Workspace, sweep_block};
-use super::{HorizonLayer, HorizonMap, HorizonParams};
+use super::{BentLayer, HorizonLayer, HorizonMap, HorizonParams};
 use crate::{BakeError, Exec};
 
 /// Bakes all directions at once: the same bytes for any number of threads.
 pub fn bake(field: &HeightField, params: &HorizonParams, exec: &Exec) -> Result<HorizonMap, BakeError> {
-    HorizonMap::fill(field, params, |layers| fill(field, params, exec, layers.into_iter().zip(0..)))
+    HorizonMap::fill(field, params, |layers| fill(field, params, Output::Elevation, exec, layers.into_iter().zip(0..)))
 }
 
 /// Bakes one direction into `layer`, which is filled whole: for maps too large to hold in all directions.
@@ -33,20 +33,55 @@ pub fn bake_direction(
     params.check(field)?;
     assert_eq!(layer.elevation_radians.len(), field.grid().texels(), "a layer of this field");
     assert_eq!(layer.distance.is_some(), params.distance, "distances if they are asked for");
-    fill(field, params, exec, std::iter::once((layer.as_mut(), direction)));
+    fill(field, params, Output::Elevation, exec, std::iter::once((layer.as_mut(), direction)));
     Ok(())
+}
+
+/// Bakes, for one direction, the points that are highest once the relief is bent: of height h(s) − λ s² at distance s,
+/// λ = `bend` in 1/length unit, positive for convex ground. They are what a curved surface may show above its horizon; their
+/// slopes are those of the relief as it is.
+///
+/// # Panics
+/// If the layer was made for another field.
+pub fn bake_bent(
+    field: &HeightField,
+    params: &HorizonParams,
+    direction: u32,
+    bend: f64,
+    exec: &Exec,
+    layer: &mut BentLayer,
+) -> Result<(), BakeError> {
+    let params = HorizonParams { distance: true, ..*params };
+    params.check(field)?;
+    if !bend.is_finite() {
+        let accepted = "a finite number is accepted";
+        return Err(BakeError::Parameter { name: "bend", value: bend.to_string(), accepted });
+    }
+    assert_eq!(layer.slope.len(), field.grid().texels(), "a layer of this field");
+    fill(field, &params, Output::Slope { bend }, exec, std::iter::once((layer.as_mut(), direction)));
+    Ok(())
+}
+
+/// What is wanted of the points found.
+#[derive(Debug, Clone, Copy)]
+enum Output {
+    /// Their elevation above the base plane.
+    Elevation,
+    /// The slope of the points that are highest when the relief is bent.
+    Slope { bend: f64 },
 }
 
 /// Bakes some directions, a block of lines at a time.
 fn fill<'a>(
     field: &HeightField,
     params: &HorizonParams,
+    output: Output,
     exec: &Exec,
     layers: impl Iterator<Item = (LayerMut<'a>, u32)>,
 ) {
     let scale = HeightScale::of(field);
     let directions: Vec<Direction> =
-        layers.map(|(layer, index)| Direction::new(field, params, index, scale, layer)).collect();
+        layers.map(|(layer, index)| Direction::new(field, params, output, index, scale, layer)).collect();
     let blocks = directions
         .iter()
         .flat_map(|direction| direction.lines.blocks().into_iter().map(move |first_line| (direction, first_line)));
@@ -71,19 +106,36 @@ impl Buffers {
 struct Direction<'a> {
     lines: Lines,
     units: Units,
+    bend: f32,
     width: usize,
     bands: Vec<Mutex<LayerMut<'a>>>,
 }
 
 impl<'a> Direction<'a> {
-    fn new(field: &HeightField, params: &HorizonParams, index: u32, scale: HeightScale, layer: LayerMut<'a>) -> Self {
+    fn new(
+        field: &HeightField,
+        params: &HorizonParams,
+        output: Output,
+        index: u32,
+        scale: HeightScale,
+        layer: LayerMut<'a>,
+    ) -> Self {
         let lines = Lines::new(field, params, index);
         let width = field.grid().width as usize;
         let length = lines.octant.length_per_major;
         let slope = (1.0 / (f64::from(scale.factor) * length)) as f32;
-        let units = Units { slope: slope.min(f32::MAX), length: length as f32, farthest: f32_at_most(params.radius) };
+        let units = Units {
+            slope: slope.min(f32::MAX),
+            length: length as f32,
+            farthest: f32_at_most(params.radius),
+            angles: matches!(output, Output::Elevation),
+        };
+        let bend = match output {
+            Output::Elevation => 0.0,
+            Output::Slope { bend } => (bend * length * length * f64::from(scale.factor)) as f32,
+        };
         let bands = layer.bands(width, BAND_ROWS).into_iter().map(Mutex::new).collect();
-        Self { lines, units, width, bands }
+        Self { lines, units, bend, width, bands }
     }
 
     fn bake_block(
@@ -98,7 +150,7 @@ impl<'a> Direction<'a> {
         let columns = lines.columns_with_texels(first_line);
         let columns_in_sight = lines.columns_in_sight(first_line);
         buffers.sheared.take(field, lines, first_line, columns_in_sight, scale.factor);
-        let scene = Scene { lines, heights: &buffers.sheared.heights, datum: scale.datum, bend: 0.0 };
+        let scene = Scene { lines, heights: &buffers.sheared.heights, datum: scale.datum, bend: self.bend };
         let bands = Bands { bands: &self.bands, width: self.width };
         let mut write = |columns: std::ops::Range<usize>, elevations: &[[f32; LINES]], distances: &[[f32; LINES]]| {
             bands.write(lines, first_line, columns, elevations, distances);

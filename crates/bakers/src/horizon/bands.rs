@@ -27,10 +27,10 @@ impl Bands<'_, '_> {
         lines: &Lines,
         first_line: i64,
         columns: Range<usize>,
-        elevations: &[[f32; LINES]],
+        values: &[[f32; LINES]],
         distances: &[[f32; LINES]],
     ) {
-        let tile = Tile { lines, first_line, columns, owned: lines.owned(first_line), elevations, distances };
+        let tile = Tile { lines, first_line, columns, owned: lines.owned(first_line), values, distances };
         let mut open = OpenBand { bands: self, current: None };
         if lines.octant.runs_along_rows() {
             tile.write_across(&mut open);
@@ -46,7 +46,7 @@ struct Tile<'a> {
     columns: Range<usize>,
     /// Lines whose texels are the block's own.
     owned: usize,
-    elevations: &'a [[f32; LINES]],
+    values: &'a [[f32; LINES]],
     distances: &'a [[f32; LINES]],
 }
 
@@ -74,8 +74,8 @@ impl Tile<'_> {
             let ends = (place, octant.index(self.columns.end - 1, row_in_field));
             let start = ends.0.min(ends.1) % open.bands.width;
             let run = start..start + self.columns.len();
-            let (elevations, distances) = open.row(place);
-            self.write_row(&slant, row, &mut elevations[run.clone()], self.elevations, ends.1 < ends.0);
+            let (values, distances) = open.row(place);
+            self.write_row(&slant, row, &mut values[run.clone()], self.values, ends.1 < ends.0);
             if let Some(distances) = distances {
                 self.write_row(&slant, row, &mut distances[run], self.distances, ends.1 < ends.0);
             }
@@ -119,7 +119,7 @@ impl Tile<'_> {
         let octant = &self.lines.octant;
         let (first, last) = (octant.index(column, row), octant.index(column, row + run.len() - 1));
         let width = open.bands.width;
-        let (elevations, distances) = open.row(first);
+        let (values, distances) = open.row(first);
         let place = first.min(last) % width..first.max(last) % width + 1;
         let copy = |from: &[f32], to: &mut [f32]| {
             to.copy_from_slice(from);
@@ -127,7 +127,7 @@ impl Tile<'_> {
                 to.reverse();
             }
         };
-        copy(&self.elevations[step][run.clone()], &mut elevations[place.clone()]);
+        copy(&self.values[step][run.clone()], &mut values[place.clone()]);
         if let Some(distances) = distances {
             copy(&self.distances[step][run], &mut distances[place]);
         }
@@ -152,6 +152,6 @@ impl OpenBand<'_, '_> {
         }
         let layer: &mut LayerMut<'_> = &mut self.current.as_mut().expect("just opened").1;
         let row = row_in_band * width..(row_in_band + 1) * width;
-        (&mut layer.elevation_radians[row.clone()], layer.distance.as_deref_mut().map(|all| &mut all[row]))
+        (&mut layer.values[row.clone()], layer.distance.as_deref_mut().map(|all| &mut all[row]))
     }
 }

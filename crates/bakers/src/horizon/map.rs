@@ -58,7 +58,28 @@ impl HorizonLayer {
     }
 
     pub(crate) fn as_mut(&mut self) -> LayerMut<'_> {
-        LayerMut { elevation_radians: &mut self.elevation_radians, distance: self.distance.as_deref_mut() }
+        LayerMut { values: &mut self.elevation_radians, distance: self.distance.as_deref_mut() }
+    }
+}
+
+/// Points that a bent relief shows highest, one per texel, in one direction: see [`super::bake_bent`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct BentLayer {
+    /// `[row][column]`, the slope of the point in the relief as it is: rise over run, within the finite f32.
+    pub slope: Vec<f32>,
+    /// `[row][column]`, distance along the base plane in the length unit, 0 to the radius.
+    pub distance: Vec<f32>,
+}
+
+impl BentLayer {
+    /// Room for a layer of a field.
+    pub fn new(field: &HeightField) -> Result<Self, BakeError> {
+        let texels = field.grid().texels();
+        Ok(Self { slope: zeros(texels)?, distance: zeros(texels)? })
+    }
+
+    pub(crate) fn as_mut(&mut self) -> LayerMut<'_> {
+        LayerMut { values: &mut self.slope, distance: Some(&mut self.distance) }
     }
 }
 
@@ -119,7 +140,8 @@ fn zeros(values: usize) -> Result<Vec<f32>, BakeError> {
 
 /// One direction's share of the output.
 pub(crate) struct LayerMut<'a> {
-    pub(crate) elevation_radians: &'a mut [f32],
+    /// Elevations in radians, or slopes.
+    pub(crate) values: &'a mut [f32],
     pub(crate) distance: Option<&'a mut [f32]>,
 }
 
@@ -127,18 +149,15 @@ impl<'a> LayerMut<'a> {
     /// Bands of `rows` rows each, which different threads may fill.
     pub(crate) fn bands(self, width: usize, rows: usize) -> Vec<LayerMut<'a>> {
         let mut distances = self.distance.map(|all| all.chunks_mut(width * rows));
-        self.elevation_radians
+        self.values
             .chunks_mut(width * rows)
-            .map(|elevation_radians| LayerMut {
-                elevation_radians,
-                distance: distances.as_mut().and_then(Iterator::next),
-            })
+            .map(|values| LayerMut { values, distance: distances.as_mut().and_then(Iterator::next) })
             .collect()
     }
 
     /// Stores a point found in f64.
     pub(crate) fn set(&mut self, index: usize, point: HorizonPoint, radius: f64) {
-        self.elevation_radians[index] = point.elevation_radians();
+        self.values[index] = point.elevation_radians();
         if let Some(distance) = &mut self.distance {
             distance[index] = (point.distance as f32).min(f32_at_most(radius));
         }
@@ -149,6 +168,6 @@ fn split_layers<'a>(elevation: &'a mut [f32], distance: Option<&'a mut [f32]>, t
     let mut distances = distance.map(|all| all.chunks_exact_mut(texels));
     elevation
         .chunks_exact_mut(texels)
-        .map(|elevation_radians| LayerMut { elevation_radians, distance: distances.as_mut().and_then(Iterator::next) })
+        .map(|values| LayerMut { values, distance: distances.as_mut().and_then(Iterator::next) })
         .collect()
 }

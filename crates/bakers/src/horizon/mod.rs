@@ -41,8 +41,8 @@ mod sliding_hull;
 mod sweep;
 
 pub use azimuths::Azimuths;
-pub use bake::{bake, bake_direction};
-pub use map::{HorizonLayer, HorizonMap, HorizonPoint};
+pub use bake::{bake, bake_bent, bake_direction};
+pub use map::{BentLayer, HorizonLayer, HorizonMap, HorizonPoint};
 pub use params::{HorizonParams, MAX_DIRECTIONS, MAX_RADIUS_TEXELS, Method};
 
 use barchan_asset::MAX_ELEVATION as MAX_ELEVATION_RADIANS;

@@ -43,7 +43,7 @@ impl Effort {
 pub(crate) struct Workspace {
     groups: Vec<Group>,
     near: NearRay,
-    elevation_radians: Box<ResultTile>,
+    values: Box<ResultTile>,
     distance: Box<ResultTile>,
 }
 
@@ -65,7 +65,7 @@ impl Workspace {
         Self {
             groups: (0..LINES / LANES).map(group).collect(),
             near: NearRay::new(),
-            elevation_radians: Box::new([[0.0; LINES]; TILE]),
+            values: Box::new([[0.0; LINES]; TILE]),
             distance: Box::new([[0.0; LINES]; TILE]),
         }
     }
@@ -78,9 +78,11 @@ pub(crate) struct Units {
     pub(crate) length: f32,
     /// The largest distance that is not beyond the radius.
     pub(crate) farthest: f32,
+    /// Whether elevations are wanted, or slopes.
+    pub(crate) angles: bool,
 }
 
-/// Takes the results of some columns, at most [`TILE`], elevations in radians and distances in lengths.
+/// Takes the results of some columns, at most [`TILE`], elevations in radians or slopes, and distances in lengths.
 pub(crate) type Sink<'a> = dyn FnMut(std::ops::Range<usize>, &[[f32; LINES]], &[[f32; LINES]]) + 'a;
 
 /// Sweeps a block of lines whose texels lie in `columns`.
@@ -121,7 +123,7 @@ impl BlockSweep<'_> {
         workspace: &mut Workspace,
         sink: &mut Sink<'_>,
     ) {
-        let Workspace { groups, near, elevation_radians, distance } = workspace;
+        let Workspace { groups, near, values, distance } = workspace;
         for group in groups.iter_mut() {
             group.line.restart();
             group.ceiling.restart();
@@ -135,11 +137,11 @@ impl BlockSweep<'_> {
                 let lane = index * LANES;
                 group.slide::<S, THOROUGH>(simd, &self.scene, lane, &sight);
                 let best = self.look::<S, THOROUGH, DISTANCE>(simd, column, lane, group, near, &sight);
-                self.store(simd, best, lane, &mut elevation_radians[in_tile], &mut distance[in_tile]);
+                self.store(simd, best, lane, &mut values[in_tile], &mut distance[in_tile]);
             }
             if in_tile == 0 || column == self.columns.start {
                 let end = (column - in_tile + TILE).min(self.columns.end);
-                sink(column..end, &elevation_radians[in_tile..], &distance[in_tile..]);
+                sink(column..end, &values[in_tile..], &distance[in_tile..]);
             }
         }
     }
@@ -185,15 +187,16 @@ impl BlockSweep<'_> {
         simd: S,
         best: Best<S, DISTANCE>,
         lane: usize,
-        elevation_radians: &mut [f32; LINES],
+        values: &mut [f32; LINES],
         distance: &mut [f32; LINES],
     ) {
         let splat = |value: f32| f32x16::splat(simd, value);
         let slope = (best.slope + best.distance * self.scene.bend) * self.units.slope;
+        let (value, limit) =
+            if self.units.angles { (atan(simd, slope), MAX_ELEVATION_RADIANS) } else { (slope, f32::MAX) };
         // Adding 0 makes one zero of two.
-        let elevation =
-            (atan(simd, slope) + splat(0.0)).max(splat(-MAX_ELEVATION_RADIANS)).min(splat(MAX_ELEVATION_RADIANS));
-        elevation.store_slice(&mut elevation_radians[lane..lane + LANES]);
+        let value = (value + splat(0.0)).max(splat(-limit)).min(splat(limit));
+        value.store_slice(&mut values[lane..lane + LANES]);
         if DISTANCE {
             let length = (best.distance * self.units.length).min(splat(self.units.farthest));
             length.store_slice(&mut distance[lane..lane + LANES]);
