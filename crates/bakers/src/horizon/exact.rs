@@ -6,14 +6,15 @@
 //! distance, and look, in f64 and as the [reference](mod@super::reference) looks, at the few blocks that can.
 
 use super::HorizonPoint;
-use super::far::{BLOCK, Scene};
+use super::direction::Octant;
+use super::far::Scene;
 use super::lines::{LINES, MARGIN, STRIDE};
 use super::sheared::{ResultTile, TILE};
 
-/// Blocks under a node per level.
+/// Nodes under a node.
 const BRANCHES: usize = 4;
 
-/// Highest heights of each line, block by block, then four blocks by four.
+/// Highest heights of each line, column by column, then four columns by four.
 #[derive(Default)]
 pub(crate) struct Ceilings {
     /// `[level][node][line]`.
@@ -21,15 +22,14 @@ pub(crate) struct Ceilings {
 }
 
 impl Ceilings {
-    /// Takes the ceilings of the first `columns` columns; a block counts if the column behind it does.
-    pub(crate) fn take(&mut self, scene: &Scene<'_>, columns: usize) {
-        let blocks = (columns - 1) / BLOCK;
+    /// Takes the ceilings of the first `columns` columns but the last, each with the one behind it.
+    fn take(&mut self, scene: &Scene<'_>, columns: usize) {
         self.levels.truncate(1);
         if self.levels.is_empty() {
             self.levels.push(Vec::new());
         }
         self.levels[0].clear();
-        self.levels[0].extend((0..blocks).map(|block| ceiling(scene, block)));
+        self.levels[0].extend((0..columns - 1).map(|column| ceiling(scene, column)));
         while let Some(level) = self.levels.last().filter(|level| level.len() > BRANCHES) {
             let coarser = level.chunks(BRANCHES).map(|nodes| nodes.iter().copied().reduce(higher).expect("a chunk"));
             let coarser = coarser.collect();
@@ -38,14 +38,20 @@ impl Ceilings {
     }
 }
 
-/// The highest of all texels that rays within half a texel of a line may touch from a block's first column to the one behind
-/// its last: rays wander at most two rows from where they started in sheared columns.
-fn ceiling(scene: &Scene<'_>, block: usize) -> [f32; LINES] {
+/// The highest of all texels that rays within half a texel of a line touch between a column and the next.
+fn ceiling(scene: &Scene<'_>, column: usize) -> [f32; LINES] {
+    /// Far more than offsets are rounded by.
+    const ROUNDING: f64 = 1e-6;
+    let lines = scene.lines;
+    let middle = -f64::from(lines.offset[column]);
+    let first = (middle - 0.5 - ROUNDING).floor() as isize;
+    let last = (middle + 0.5 + lines.octant.tilt + ROUNDING).floor() as isize + 1;
+    let drop = (lines.drop[column + 1] - lines.drop[column]) as isize;
     let mut highest = [f32::NEG_INFINITY; LINES];
-    for column in block * BLOCK..=(block + 1) * BLOCK {
-        let heights = &scene.heights[column * STRIDE..][..STRIDE];
-        for row in MARGIN - 2..=MARGIN + 2 {
-            let heights: &[f32; LINES] = heights[row..][..LINES].try_into().expect("a row for every line");
+    for (column, up) in [(column, 0), (column + 1, drop)] {
+        for row in first - up..=last - up {
+            let start = (column * STRIDE + MARGIN).wrapping_add_signed(row);
+            let heights: &[f32; LINES] = scene.heights[start..][..LINES].try_into().expect("a row for every line");
             highest = higher(highest, *heights);
         }
     }
@@ -85,9 +91,10 @@ impl Proof {
         seen_at: &[[f32; LINES]],
     ) -> (&ResultTile, &ResultTile) {
         let last_column = scene.heights.len() / STRIDE - 2;
+        let columns_per_row = 1.0 / scene.lines.octant.tilt;
         for (step, column) in columns.enumerate() {
             for line in lines.clone() {
-                let ray = ExactRay { scene, ceilings: &self.ceilings, column, line, last_column };
+                let ray = ExactRay { scene, ceilings: &self.ceilings, column, line, columns_per_row, last_column };
                 let point = ray.horizon((f64::from(seen_at[step][line]) / units.length) as usize);
                 let point = HorizonPoint { slope: point.slope * units.slope, distance: point.distance * units.length };
                 self.elevation_radians[step][line] = point.elevation_radians();
@@ -113,6 +120,7 @@ struct ExactRay<'a> {
     ceilings: &'a Ceilings,
     column: usize,
     line: usize,
+    columns_per_row: f64,
     /// The last column that has another behind it; from there on a clamped field is level.
     last_column: usize,
 }
@@ -123,67 +131,63 @@ impl ExactRay<'_> {
         let eye = f64::from(self.scene.heights[self.column * STRIDE + MARGIN + self.line]);
         let radius = self.scene.lines.radius;
         let mut best = HorizonPoint::NONE;
-        self.cross_columns(0..1, eye, &mut best);
+        self.cross_column(self.column, eye, &mut best);
         if radius > 1.0 {
             self.consider_radius(eye, &mut best);
         }
-        let seen_block = (self.column + seen_at) / BLOCK;
-        let last_block = ((self.column as f64 + radius) as usize / BLOCK).min((self.last_column - BLOCK) / BLOCK);
-        let seen_block = seen_block.min(last_block);
-        self.cross_block(seen_block, eye, &mut best);
-        self.climb(last_block, seen_block, eye, &mut best);
+        let last = ((self.column as f64 + radius) as usize).min(self.last_column);
+        let seen = (self.column + seen_at).min(last);
+        self.cross_column(seen, eye, &mut best);
+        self.climb(last, seen, eye, &mut best);
         best
     }
 
     /// Passes over what is too low, looks at what may be higher.
-    fn climb(&self, last_block: usize, done: usize, eye: f64, best: &mut HorizonPoint) {
+    #[inline]
+    fn climb(&self, last: usize, done: usize, eye: f64, best: &mut HorizonPoint) {
         let levels = &self.ceilings.levels;
-        let mut block = self.column / BLOCK;
+        let mut column = self.column;
         let (mut level, mut size) = (0, 1);
-        while block <= last_block {
-            while level + 1 < levels.len() && block.is_multiple_of(size * BRANCHES) {
+        while column <= last {
+            while level + 1 < levels.len() && column.is_multiple_of(size * BRANCHES) {
                 (level, size) = (level + 1, size * BRANCHES);
             }
             loop {
-                let ceiling = levels[level].get(block / size).map_or(f32::NEG_INFINITY, |nodes| nodes[self.line]);
-                if !self.may_be_higher(f64::from(ceiling) - eye, block, size, best.slope) {
+                let ceiling = levels[level].get(column / size).map_or(f32::NEG_INFINITY, |nodes| nodes[self.line]);
+                if !self.may_be_higher(f64::from(ceiling) - eye, column, size, best.slope) {
                     break;
                 }
                 if level == 0 {
-                    if block != done {
-                        self.cross_block(block, eye, best);
+                    if column != done {
+                        self.cross_column(column, eye, best);
                     }
                     break;
                 }
                 (level, size) = (level - 1, size / BRANCHES);
             }
-            block += size;
+            column += size;
         }
     }
 
-    fn may_be_higher(&self, rise: f64, block: usize, blocks: usize, slope: f64) -> bool {
-        let near = ((block * BLOCK) as f64 - self.column as f64).max(0.0);
-        let far = ((block + blocks) * BLOCK - self.column) as f64;
-        rise > (slope * near).min(slope * far)
+    #[inline]
+    fn may_be_higher(&self, rise: f64, column: usize, columns: usize, slope: f64) -> bool {
+        let near = column as f64 - self.column as f64;
+        let far = near + columns as f64;
+        // A node that begins before the texel reaches up to it.
+        rise > (slope * near.max(0.0)).min(slope * far)
     }
 
-    fn cross_block(&self, block: usize, eye: f64, best: &mut HorizonPoint) {
-        let first = (block * BLOCK).max(self.column);
-        self.cross_columns(first - self.column..(block + 1) * BLOCK - self.column, eye, best);
-    }
-
-    /// The pieces of the ray between these columns ahead and the next, cut at the radius.
-    fn cross_columns(&self, ahead: std::ops::Range<usize>, eye: f64, best: &mut HorizonPoint) {
-        let (tilt, radius) = (self.scene.lines.octant.tilt, self.scene.lines.radius);
-        for column in ahead {
-            let (start, end) = (column as f64, (column as f64 + 1.0).min(radius));
-            if start >= end {
-                return;
-            }
-            let row = (tilt * start) as usize;
-            let crossing = if tilt > 0.0 { (row + 1) as f64 / tilt } else { f64::INFINITY };
-            self.cross_cell((column, row), start, crossing.min(end), eye, best);
-            self.cross_cell((column, row + 1), crossing.max(start), end, eye, best);
+    /// The one or two pieces of the ray between a column and the next, cut at the radius.
+    #[inline]
+    fn cross_column(&self, column: usize, eye: f64, best: &mut HorizonPoint) {
+        let Octant { tilt, .. } = self.scene.lines.octant;
+        let ahead = column - self.column;
+        let (start, end) = (ahead as f64, (ahead as f64 + 1.0).min(self.scene.lines.radius));
+        let row = (tilt * start) as usize;
+        let crossing = if tilt > 0.0 { (row + 1) as f64 * self.columns_per_row } else { f64::INFINITY };
+        self.cross_cell((ahead, row), start, crossing.min(end), eye, best);
+        if crossing < end {
+            self.cross_cell((ahead, row + 1), crossing.max(start), end, eye, best);
         }
     }
 
