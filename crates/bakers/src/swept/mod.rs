@@ -89,6 +89,7 @@
 //! surface hides things.
 
 mod accuracy;
+mod bake;
 mod layers;
 mod nodes;
 mod params;
@@ -97,6 +98,7 @@ pub mod reference;
 mod select;
 
 pub use accuracy::SelectionErrors;
+pub use bake::SweptBaker;
 pub use layers::{CandidateLayer, PointLayerMut, measure_band, select_band};
 pub use nodes::Nodes;
 pub use params::{CurvatureRange, MAX_POINTS, Points, SweptParams, Tie};

@@ -1,5 +1,6 @@
 //! What the curvature-swept horizon promises, through the crate's public face and as a run time reads it.
 
+mod baker;
 mod references;
 mod refusals;
 mod selection;
