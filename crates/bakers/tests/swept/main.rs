@@ -5,3 +5,4 @@ mod references;
 mod refusals;
 mod selection;
 mod support;
+mod sweeps;
