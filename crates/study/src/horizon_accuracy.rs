@@ -101,8 +101,7 @@ impl Study for Accuracy<'_> {
         for (params, points) in &truth.bakes {
             let watch = Stopwatch::start();
             let map = horizon::bake(&scene.field, &HorizonParams { method: *method, ..*params }, self.exec)?;
-            let elapsed = watch.elapsed();
-            seconds += elapsed.cpu_seconds.unwrap_or(elapsed.wall_seconds);
+            seconds += watch.elapsed().core_seconds();
             errors.add(&scene.field, &map, points);
         }
         Ok(errors.records(scene, &self.setting(*method), seconds))
