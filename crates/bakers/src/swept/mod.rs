@@ -12,7 +12,7 @@
 //!
 //! Baked are the few hull points that keep the angle of the horizon, by the exact formula, within an error over the
 //! whole range, concave curvatures included. δ(d) − λd is the slope over the profile h(s) − λs², so one ordinary
-//! horizon sweep per *bend* λ finds the point for it: [`Nodes`] says which bends, [`select`] which of the points
+//! horizon sweep per *bend* λ finds the point for it: [`Nodes`] says which bends, [`select()`] which of the points
 //! found are kept.
 //!
 //! The table has one layer of (δ, d) per point. The first is the flat horizon, the paper's table: a run time that
