@@ -16,6 +16,10 @@ use super::sweep::{Job, Units, Workspace};
 use super::{BentLayer, HorizonLayer, HorizonMap, HorizonParams, Method};
 use crate::{BakeError, Exec};
 
+/// How much higher than what was found a ceiling may stand without being looked at, as a slope: half a degree on level
+/// ground. Ceilings stand about so much too high themselves.
+const CEILING_TOLERANCE: f64 = 0.01;
+
 /// Bakes all directions at once: the same bytes for any number of threads.
 pub fn bake(field: &HeightField, params: &HorizonParams, exec: &Exec) -> Result<HorizonMap, BakeError> {
     HorizonMap::fill(field, params, |layers| fill(field, params, Output::Elevation, exec, layers.into_iter().zip(0..)))
@@ -158,7 +162,8 @@ impl<'a> Direction<'a> {
         let columns = lines.columns_with_texels(first_line);
         let columns_in_sight = lines.columns_in_sight(first_line);
         buffers.sheared.take(field, lines, first_line, columns_in_sight, scale.factor);
-        let scene = Scene { lines, heights: &buffers.sheared.heights, datum: scale.datum, bend: self.bend };
+        let tolerance = (CEILING_TOLERANCE / self.exact_units.slope) as f32;
+        let scene = Scene { lines, heights: &buffers.sheared.heights, datum: scale.datum, bend: self.bend, tolerance };
         let bands = Bands { bands: &self.bands, width: self.width };
         let proves = params.method == Method::Exact && self.units.angles;
         if proves {

@@ -5,9 +5,9 @@
 //! ceilings, each level four times as coarse, lets a ray pass over all that cannot be higher in strides that grow with the
 //! distance, and look, in f64 and as the [reference](mod@super::reference) looks, at the few blocks that can.
 
-use super::direction::Octant;
 use super::far::Scene;
 use super::lines::{LINES, MARGIN, STRIDE};
+use super::own_ray::OwnRay;
 use super::sheared::{ResultTile, TILE};
 use super::sweep::near_end;
 use super::{HorizonPoint, Method};
@@ -91,12 +91,11 @@ impl Proof {
         lines: std::ops::Range<usize>,
         seen_at: &[[f32; LINES]],
     ) -> (&ResultTile, &ResultTile) {
-        let last_column = scene.heights.len() / STRIDE - 2;
-        let columns_per_row = 1.0 / scene.lines.octant.tilt;
         for (step, column) in columns.enumerate() {
             for line in lines.clone() {
-                let ray = ExactRay { scene, ceilings: &self.ceilings, column, line, columns_per_row, last_column };
-                let point = ray.horizon((f64::from(seen_at[step][line]) / units.length) as usize);
+                let ray = OwnRay::new(scene, column, line);
+                let seen_at = (f64::from(seen_at[step][line]) / units.length) as usize;
+                let point = horizon(&ray, &self.ceilings, line, seen_at, scene.lines.radius);
                 let point = HorizonPoint { slope: point.slope * units.slope, distance: point.distance * units.length };
                 self.elevation_radians[step][line] = point.elevation_radians();
                 self.distance[step][line] = (point.distance as f32).min(units.farthest);
@@ -115,147 +114,47 @@ pub(crate) struct ExactUnits {
     pub(crate) farthest: f32,
 }
 
-/// A texel's own ray in f64.
-struct ExactRay<'a> {
-    scene: Scene<'a>,
-    ceilings: &'a Ceilings,
-    column: usize,
-    line: usize,
-    columns_per_row: f64,
-    /// The last column that has another behind it; from there on a clamped field is level.
-    last_column: usize,
+/// The horizon, in scaled heights per column and in columns, given how many columns away the sweep saw it.
+fn horizon(ray: &OwnRay<'_>, ceilings: &Ceilings, line: usize, seen_at: usize, radius: f64) -> HorizonPoint {
+    let mut best = HorizonPoint::NONE;
+    ray.cross_column(ray.column, &mut best);
+    if radius > 1.0 {
+        ray.consider_radius(&mut best);
+    }
+    let last = ((ray.column as f64 + radius) as usize).min(ray.last_column);
+    let seen = (ray.column + seen_at).min(last);
+    // A point on a column belongs to the piece of ray that ends there.
+    if seen > ray.column {
+        ray.cross_column(seen - 1, &mut best);
+    }
+    ray.cross_column(seen, &mut best);
+    climb(ray, ceilings, line, last, &mut best);
+    best
 }
 
-impl ExactRay<'_> {
-    /// The horizon, in scaled heights per column and in columns, given how many columns away the sweep saw it.
-    fn horizon(&self, seen_at: usize) -> HorizonPoint {
-        let eye = f64::from(self.scene.heights[self.column * STRIDE + MARGIN + self.line]);
-        let radius = self.scene.lines.radius;
-        let mut best = HorizonPoint::NONE;
-        self.cross_column(self.column, eye, &mut best);
-        if radius > 1.0 {
-            self.consider_radius(eye, &mut best);
+/// Passes over what is too low and looks at what may be higher, behind the columns in which the sweep has seen the highest
+/// point to the rounding of f32.
+#[inline]
+fn climb(ray: &OwnRay<'_>, ceilings: &Ceilings, line: usize, last: usize, best: &mut HorizonPoint) {
+    let levels = &ceilings.levels;
+    let mut column = near_end(ray.column, Method::Exact);
+    let (mut level, mut size) = (0, 1);
+    while column <= last {
+        while level + 1 < levels.len() && column.is_multiple_of(size * BRANCHES) {
+            (level, size) = (level + 1, size * BRANCHES);
         }
-        let last = ((self.column as f64 + radius) as usize).min(self.last_column);
-        let seen = (self.column + seen_at).min(last);
-        // A point on a column belongs to the piece of ray that ends there.
-        if seen > self.column {
-            self.cross_column(seen - 1, eye, &mut best);
-        }
-        self.cross_column(seen, eye, &mut best);
-        self.climb(near_end(self.column, Method::Exact), last, seen, eye, &mut best);
-        best
-    }
-
-    /// Passes over what is too low, looks at what may be higher, from `first` on: in all nearer columns the sweep has seen
-    /// the highest point to the rounding of f32.
-    #[inline]
-    fn climb(&self, first: usize, last: usize, done: usize, eye: f64, best: &mut HorizonPoint) {
-        let levels = &self.ceilings.levels;
-        let mut column = first;
-        let (mut level, mut size) = (0, 1);
-        while column <= last {
-            while level + 1 < levels.len() && column.is_multiple_of(size * BRANCHES) {
-                (level, size) = (level + 1, size * BRANCHES);
+        loop {
+            let ceiling = levels[level].get(column / size).map_or(f32::NEG_INFINITY, |nodes| nodes[line]);
+            let near = (column - ray.column) as f64;
+            if ray.rise_to(ceiling) <= ray.needed(best.slope, near, near + size as f64) {
+                break;
             }
-            loop {
-                let ceiling = levels[level].get(column / size).map_or(f32::NEG_INFINITY, |nodes| nodes[self.line]);
-                if !self.may_be_higher(f64::from(ceiling) - eye, column, size, best.slope) {
-                    break;
-                }
-                if level == 0 {
-                    if column != done {
-                        self.cross_column(column, eye, best);
-                    }
-                    break;
-                }
-                (level, size) = (level - 1, size / BRANCHES);
+            if level == 0 {
+                ray.cross_column(column, best);
+                break;
             }
-            column += size;
+            (level, size) = (level - 1, size / BRANCHES);
         }
-    }
-
-    #[inline]
-    fn may_be_higher(&self, rise: f64, column: usize, columns: usize, slope: f64) -> bool {
-        let near = column as f64 - self.column as f64;
-        let far = near + columns as f64;
-        rise > (slope * near).min(slope * far)
-    }
-
-    /// The one or two pieces of the ray between a column and the next, cut at the radius.
-    #[inline]
-    fn cross_column(&self, column: usize, eye: f64, best: &mut HorizonPoint) {
-        let Octant { tilt, .. } = self.scene.lines.octant;
-        let ahead = column - self.column;
-        let (start, end) = (ahead as f64, (ahead as f64 + 1.0).min(self.scene.lines.radius));
-        let row = (tilt * start) as usize;
-        let crossing = if tilt > 0.0 { (row + 1) as f64 * self.columns_per_row } else { f64::INFINITY };
-        self.cross_cell((ahead, row), start, crossing.min(end), eye, best);
-        if crossing < end {
-            self.cross_cell((ahead, row + 1), crossing.max(start), end, eye, best);
-        }
-    }
-
-    /// Raises `best` to the steepest point of the ray in a cell, as the reference does; slopes are heights per column.
-    fn cross_cell(&self, (ahead, down): (usize, usize), start: f64, end: f64, eye: f64, best: &mut HorizonPoint) {
-        if start >= end {
-            return;
-        }
-        let height = |column: usize, row: usize| self.height(ahead + column, down + row);
-        let [h00, h10, h01, h11] = [height(0, 0), height(1, 0), height(0, 1), height(1, 1)];
-        // No point of a cell is higher than its highest corner: most cells are out of the race at once.
-        let highest = h00.max(h10).max(h01.max(h11)) - eye;
-        if highest < (best.slope * start).min(best.slope * end) {
-            return;
-        }
-        let tilt = self.scene.lines.octant.tilt;
-        let (along_x, along_y) = (h10 - h00, h01 - h00);
-        let twist = h11 - h10 - along_y;
-        let (x, y) = (start - ahead as f64, start * tilt - down as f64);
-        let rise = h00 - eye + along_x * x + along_y * y + twist * x * y;
-        let slope = along_x + along_y * tilt + twist * (x * tilt + y);
-        let bend = twist * tilt;
-        let slope_from_texel = |s: f64| {
-            let along = s - start;
-            (rise + along * (slope + along * bend)) / s
-        };
-        if start == 0.0 {
-            best.raise(slope, 0.0);
-        } else if bend < 0.0 {
-            let constant = rise - slope * start + bend * start * start;
-            let peak = (constant / bend).sqrt();
-            if peak > start && peak < end {
-                best.raise(slope_from_texel(peak), peak);
-            }
-        }
-        best.raise(slope_from_texel(end), end);
-    }
-
-    fn consider_radius(&self, eye: f64, best: &mut HorizonPoint) {
-        let (tilt, radius) = (self.scene.lines.octant.tilt, self.scene.lines.radius);
-        let (ahead, across) = (radius as usize, radius * tilt);
-        let down = across as usize;
-        let (along, aside) = (radius - ahead as f64, across - down as f64);
-        let between = |row: usize| {
-            let (near, far) = (self.height(ahead, row), self.height(ahead + 1, row));
-            near + (far - near) * along
-        };
-        let (upper, lower) = (between(down), between(down + 1));
-        best.raise((upper + (lower - upper) * aside - eye) / radius, radius);
-    }
-
-    /// The height of a texel ahead of the ray's and some rows further.
-    #[inline]
-    fn height(&self, ahead: usize, down: usize) -> f64 {
-        let lines = self.scene.lines;
-        let column = self.column + ahead;
-        let row = i64::from(lines.drop[self.column]) + down as i64 - i64::from(lines.drop[column]);
-        // Where a clamped field is level for good, its last column stands for all beyond, and all its rows are the same.
-        let place = if column > self.last_column + 1 {
-            (self.last_column + 1) * STRIDE + MARGIN + self.line
-        } else {
-            ((column * STRIDE + MARGIN + self.line) as i64 + row) as usize
-        };
-        f64::from(self.scene.heights[place])
+        column += size;
     }
 }

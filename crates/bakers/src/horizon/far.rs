@@ -7,9 +7,11 @@
 
 use fearless_simd::{Simd, f32x16, prelude::*};
 
+use super::HorizonPoint;
 use super::best::Best;
 use super::lane_hull::{LANES, Points};
 use super::lines::{Lines, MARGIN, STRIDE, floor_within_one};
+use super::own_ray::OwnRay;
 use super::sliding_hull::Part;
 
 /// Columns in a block.
@@ -52,6 +54,8 @@ pub(crate) struct Scene<'a> {
     pub(crate) heights: &'a [f32],
     pub(crate) datum: f32,
     pub(crate) bend: f32,
+    /// What a ceiling must stand above a slope to be looked at, in scaled heights per column.
+    pub(crate) tolerance: f32,
 }
 
 impl Scene<'_> {
@@ -153,7 +157,7 @@ impl Scene<'_> {
         best.raise_these(within, rise / distance - distance * self.bend, distance);
     }
 
-    /// Each lane's own ray through a block: where it crosses the columns, and the rows behind them.
+    /// Each lane's own ray where it crosses the columns of a block.
     #[inline(always)]
     fn follow<S: Simd, const DISTANCE: bool>(
         &self,
@@ -165,91 +169,33 @@ impl Scene<'_> {
         best: &mut Best<S, DISTANCE>,
     ) {
         let zeros = [[0.0_f32; LANES]; BLOCK];
-        let (mut upper, mut lower, mut next, mut down) = (zeros, zeros, zeros, zeros);
+        let (mut upper, mut lower, mut down) = (zeros, zeros, zeros);
         let mut first = [0.0_f32; LANES];
         let here = self.lines.offset[from];
         for l in 0..LANES {
             let column = seen[l] / BLOCK * BLOCK;
             first[l] = (column - from) as f32;
-            let offsets = &self.lines.offset[column..][..BLOCK];
-            let drops = &self.lines.drop[column..][..BLOCK + 1];
-            let heights = &self.heights[column * STRIDE + MARGIN + lane + l - 1..][..BLOCK * STRIDE + 3];
+            let offsets: &[f32; BLOCK] = self.lines.offset[column..][..BLOCK].try_into().expect("a block");
+            let heights = &self.heights[column * STRIDE + MARGIN + lane + l - 1..][..(BLOCK - 1) * STRIDE + 3];
             for step in 0..BLOCK {
                 let crossing = here - offsets[step];
                 let row = usize::from(crossing >= 0.0);
-                let dropped = usize::from(drops[step + 1] > drops[step]);
                 let at = step * STRIDE + row;
                 (upper[step][l], lower[step][l]) = (heights[at], heights[at + 1]);
-                next[step][l] = heights[at + 1 + STRIDE - dropped];
                 down[step][l] = crossing + 1.0 - row as f32;
             }
         }
         let vector = |values: [f32; LANES]| -> f32x16<S> { values.simd_into(simd) };
-        let radius = f32x16::splat(simd, self.lines.radius as f32);
-        let one = f32x16::splat(simd, 1.0);
-        let columns_per_row = 1.0 / self.lines.octant.tilt as f32;
         for step in 0..BLOCK {
             let distance = vector(first) + step as f32;
             let (upper, lower, down) = (vector(upper[step]), vector(lower[step]), vector(down[step]));
-            let lower_rise = lower - eye;
             let rise = (upper - eye) + (lower - upper) * down;
             best.raise(rise / distance - distance * self.bend, distance);
-            let along = (one - down) * columns_per_row;
-            let distance = distance + along;
-            let slope = (lower_rise + (vector(next[step]) - lower) * along) / distance - distance * self.bend;
-            best.raise_these(along.simd_lt(one) & distance.simd_le(radius), slope, distance);
-        }
-        if self.rows_lie_far_apart() {
-            let eyes: [f32; LANES] = eye.into();
-            let (mut slopes, mut distances) = ([0.0; LANES], [0.0; LANES]);
-            for l in 0..LANES {
-                let column = seen[l] / BLOCK * BLOCK;
-                (slopes[l], distances[l]) = self.row_crossings(from, lane + l, eyes[l], (column, column + BLOCK - 1));
-            }
-            best.raise(vector(slopes), vector(distances));
         }
     }
 
-    /// Whether a ray may cross a block without crossing a row.
-    fn rows_lie_far_apart(&self) -> bool {
-        let tilt = self.lines.octant.tilt;
-        tilt > 0.0 && tilt * BLOCK as f64 <= 1.0
-    }
-
-    /// Where one texel's ray crosses the row before a column, and the row behind another: at a slight tilt many columns
-    /// away, and a wall along the ray is highest there.
-    fn row_crossings(&self, from: usize, line: usize, eye: f32, (first, last): (usize, usize)) -> (f32, f32) {
-        let tilt = self.lines.octant.tilt as f32;
-        let crossing = |column: usize| self.lines.offset[from] - self.lines.offset[column];
-        let row = |column: usize, below: i64| {
-            let nearer = floor_within_one(crossing(column)) as i64;
-            i64::from(self.lines.drop[column]) + nearer + below
-        };
-        let down = |column: usize| crossing(column) - floor_within_one(crossing(column));
-        let mut best = (f32::NEG_INFINITY, 0.0);
-        for (ahead, row) in [
-            ((first - from) as f32 - down(first) / tilt, row(first, 0)),
-            ((last - from) as f32 + (1.0 - down(last)) / tilt, row(last, 1)),
-        ] {
-            let column = from + ahead.max(0.0) as usize;
-            if ahead >= 1.0 && ahead <= self.lines.radius as f32 && (column + 2) * STRIDE <= self.heights.len() {
-                let height = |column: usize| {
-                    let place = (column * STRIDE + MARGIN + line) as i64 + row - i64::from(self.lines.drop[column]);
-                    self.heights[place as usize]
-                };
-                let (near, far) = (height(column), height(column + 1));
-                let rise = (near - eye) + (far - near) * (ahead - (column - from) as f32);
-                let slope = rise / ahead - ahead * self.bend;
-                if slope >= best.0 {
-                    best = (slope, ahead);
-                }
-            }
-        }
-        best
-    }
-
-    /// Follows the rays of those texels for which the ceiling's tangent is above all that was found, in a block that the
-    /// line did not name: few, so one at a time.
+    /// Follows the rays of those texels for which the ceiling's tangent stands clearly above all that was found: few, so
+    /// one at a time, but wholly.
     #[inline(always)]
     pub(crate) fn consider_ceiling<S: Simd, const DISTANCE: bool>(
         &self,
@@ -258,8 +204,6 @@ impl Scene<'_> {
         lane: usize,
         eye: f32x16<S>,
         part: Option<Part<'_, S>>,
-        line: &Seen,
-        every: usize,
         best: &mut Best<S, DISTANCE>,
     ) {
         let Some(part) = part else { return };
@@ -268,59 +212,35 @@ impl Scene<'_> {
         }
         let highest = self.highest(simd, column, eye, part);
         let slope = highest.heights / highest.columns - highest.columns * self.bend;
-        let mut above = slope.simd_gt(best.slope).to_bitmask();
+        let mut above = slope.simd_gt(best.slope + self.tolerance).to_bitmask();
         if above == 0 {
             return;
         }
-        let (ahead, eyes): ([f32; LANES], [f32; LANES]) = (highest.columns.into(), eye.into());
+        let ahead: [f32; LANES] = highest.columns.into();
         let (mut slopes, mut distances): ([f32; LANES], [f32; LANES]) = (best.slope.into(), best.distance.into());
         while above != 0 {
             let l = above.trailing_zeros() as usize % LANES;
             above &= above - 1;
             let block = (column + ahead[l] as usize) / BLOCK;
-            if line.from / every != column / every || line.columns[l] / BLOCK != block {
-                let found = self.follow_one(column, lane + l, eyes[l], block * BLOCK);
-                if found.0 > slopes[l] || (found.0 == slopes[l] && found.1 > distances[l]) {
-                    (slopes[l], distances[l]) = found;
-                }
-            }
+            let found = self.follow_wholly(column, lane + l, block * BLOCK, (slopes[l], distances[l]));
+            (slopes[l], distances[l]) = found;
         }
         best.slope = slopes.simd_into(simd);
         best.distance = distances.simd_into(simd);
     }
 
-    /// The highest point of one texel's ray in the four columns from `first` on, and where it crosses rows behind them.
-    fn follow_one(&self, from: usize, line: usize, eye: f32, first: usize) -> (f32, f32) {
-        let tilt = self.lines.octant.tilt as f32;
-        let radius = self.lines.radius as f32;
-        let mut best = (f32::NEG_INFINITY, 0.0);
-        let mut raise = |rise: f32, distance: f32| {
-            let slope = rise / distance - distance * self.bend;
-            if slope >= best.0 {
-                best = (slope, distance);
-            }
-        };
-        for column in first..first + BLOCK {
-            let crossing = self.lines.offset[from] - self.lines.offset[column];
-            let place = column * STRIDE + MARGIN + line - usize::from(crossing < 0.0);
-            let down = crossing - floor_within_one(crossing);
-            let (upper, lower) = (self.heights[place], self.heights[place + 1]);
-            let distance = (column - from) as f32;
-            raise((upper - eye) + (lower - upper) * down, distance);
-            let along = (1.0 - down) / tilt;
-            if along < 1.0 && distance + along <= radius {
-                let drop = (self.lines.drop[column + 1] - self.lines.drop[column]) as usize;
-                let next = self.heights[place + 1 + STRIDE - drop];
-                raise((lower - eye) + (next - lower) * along, distance + along);
-            }
+    /// Slope and distance of the highest point of one texel's ray in the four columns from `first` on and around them, or
+    /// of the one known.
+    fn follow_wholly(&self, column: usize, line: usize, first: usize, known: (f32, f32)) -> (f32, f32) {
+        let ray = OwnRay::new(*self, column, line);
+        let mut best = HorizonPoint { slope: f64::from(known.0), distance: f64::from(known.1) };
+        for column in first - 1..first + BLOCK {
+            ray.cross_column(column, &mut best);
         }
-        if self.rows_lie_far_apart() {
-            let rows = self.row_crossings(from, line, eye, (first, first + BLOCK - 1));
-            if rows.0 > best.0 {
-                best = rows;
-            }
+        if self.lines.octant.tilt * BLOCK as f64 <= 1.0 {
+            ray.cross_rows_around(first, first + BLOCK - 1, &mut best);
         }
-        best
+        (best.slope as f32, best.distance as f32)
     }
 
     #[inline(always)]
@@ -343,7 +263,8 @@ impl Scene<'_> {
         part: Part<'_, S>,
         best: &Best<S, DISTANCE>,
     ) -> bool {
-        let near = (part.places.0 * BLOCK - column) as f32;
+        // A ray may cross a row on the way to the first column.
+        let near = (part.places.0 * BLOCK - column) as f32 - 1.0;
         let far = (part.places.1 * BLOCK + BLOCK - column) as f32;
         let sunk = (self.bend * near * near).min(self.bend * far * far);
         let needed = (best.slope * near).min(best.slope * far) + f32x16::splat(simd, sunk);

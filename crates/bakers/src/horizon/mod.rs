@@ -35,6 +35,7 @@ mod lane_hull;
 mod lines;
 mod map;
 mod near;
+mod own_ray;
 mod params;
 pub mod reference;
 mod sheared;

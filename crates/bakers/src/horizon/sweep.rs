@@ -175,7 +175,7 @@ impl Job<'_> {
                 scene.consider(simd, column, lane, eye, line_part, seen, look, &mut best);
                 if THOROUGH {
                     let ceiling_part = if farther { ceiling.farther(simd) } else { ceiling.nearer(simd) };
-                    scene.consider_ceiling(simd, column, lane, eye, ceiling_part, seen, sight.every, &mut best);
+                    scene.consider_ceiling(simd, column, lane, eye, ceiling_part, &mut best);
                 }
             }
         }
