@@ -81,17 +81,24 @@ impl Scene<'_> {
         )
     }
 
-    /// The highest texel among those that a ray within half a texel of the line touches in the columns of a block.
+    /// The highest texel among those around the columns of a block that a ray within half a texel of the line touches.
     #[inline(always)]
     pub(crate) fn ceiling_point<S: Simd>(&self, simd: S, lane: usize, block: usize) -> Points<S> {
+        let tilt = self.lines.octant.tilt as f32;
         highest_of_block(
             simd,
             block,
             #[inline(always)]
             |column| {
+                let middle = -self.lines.offset[column];
+                let first = (middle - 0.5 - tilt).floor() as isize;
+                let last = (middle + 0.5 + tilt).floor() as isize + 1;
                 let place = column * STRIDE + MARGIN + lane;
-                let (before, after) = (self.load(simd, place - 1), self.load(simd, place + 1));
-                self.load(simd, place).max(before).max(after) - self.datum
+                let mut highest = self.load(simd, place.wrapping_add_signed(first));
+                for row in first + 1..=last {
+                    highest = highest.max(self.load(simd, place.wrapping_add_signed(row)));
+                }
+                highest - self.datum
             },
         )
     }

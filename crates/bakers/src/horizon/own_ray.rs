@@ -127,7 +127,7 @@ impl<'a> OwnRay<'a> {
             return;
         }
         let row = |column: usize| (tilt * (column - self.column) as f64) as usize;
-        for row in [row(first), row(last) + 1, row(last) + 2] {
+        for row in [row(first), row(last) + 1, row(last) + 2, row(last) + 3] {
             let ahead = row as f64 * self.columns_per_row;
             let column = self.column + ahead as usize;
             if column > self.column && ahead <= self.scene.lines.radius && column <= self.last_column {

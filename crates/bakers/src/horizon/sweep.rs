@@ -167,7 +167,7 @@ impl Job<'_> {
         }
         if sight.blocks.is_some() {
             let Group { line, ceiling, seen } = group;
-            let care = if THOROUGH { Care::Block } else { Care::Column };
+            let care = Care::Column;
             let look = Look { care, every: sight.every };
             for (index, seen) in seen.iter_mut().enumerate() {
                 let farther = index == 1;
