@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use barchan_field::{Edge, LengthUnit, Spacing};
 use barchan_import::{Fill, Integers};
-use barchan_pipeline::{Compression, Table, TableEncoding};
+use barchan_pipeline::{Compression, HorizonMethod, Table, TableEncoding};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// Bakes relief into tables that a shader can read.
@@ -54,7 +54,8 @@ pub(crate) struct FileArguments {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   barchan bake samples/dunes.ron
-  barchan bake rock.png --height-scale 12 --edge wrap --encoding u8 -o rock.barchan
+  barchan bake rock.png --height-scale 12 --edge wrap --method exact --encoding f16 -o rock.barchan
+  barchan bake rock.png --height-scale 12 --arc 180,360 --directions 17
   barchan bake elevation.tif --integers raw --spacing 74,93 --unit metre --radius 20000 --json")]
 pub(crate) struct BakeArguments {
     /// A recipe (.ron), or a height map (PNG, EXR, TIFF, NPY)
@@ -62,7 +63,8 @@ pub(crate) struct BakeArguments {
     /// Where to write [default: the input's name with .barchan, in this folder]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
-    /// Bake these tables and no others: height, horizon, distance
+    /// Bake these tables and no others: height, horizon, distance, swept_horizon, swept_distance, sky_visibility,
+    /// bent_normal, aperture_cone
     #[arg(long, value_name = "TABLE,..", value_delimiter = ',', value_parser = table)]
     pub(crate) only: Option<Vec<Table>>,
     /// Worker threads, at most 1024; 0 is one per core
@@ -79,6 +81,12 @@ pub(crate) struct HeightMapArguments {
     /// Azimuths to bake, the first along +u, counter-clockwise [default: 32]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(barchan_asset::MAX_LAYERS)))]
     pub(crate) directions: Option<u32>,
+    /// Bake azimuths from FIRST to LAST only, in degrees counter-clockwise from +u: where the sun never stands elsewhere
+    #[arg(long, value_name = "FIRST,LAST", allow_hyphen_values = true, value_parser = arc)]
+    pub(crate) arc: Option<(f64, f64)>,
+    /// How the horizon is found: sweep (fastest), accurate or exact [default: accurate]
+    #[arg(long, value_parser = method)]
+    pub(crate) method: Option<HorizonMethod>,
     /// What lies beyond the edge: wrap or clamp [default: clamp]
     #[arg(long, value_name = "EDGE", value_parser = edge)]
     pub(crate) edge: Option<Edge>,
@@ -100,7 +108,7 @@ pub(crate) struct HeightMapArguments {
     /// How far the horizon is searched [default: the diagonal; the longer side if the map wraps]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = positive)]
     pub(crate) radius: Option<f64>,
-    /// How horizon and distance are stored: f32, f16 or u8; heights are f16 at least [default: f16]
+    /// How tables are stored: f32, f16, u8 or compact; heights are f16 at least [default: compact]
     #[arg(long, value_parser = encoding)]
     pub(crate) encoding: Option<TableEncoding>,
     /// How sections are packed: none or zstd [default: none]
@@ -244,7 +252,27 @@ fn integers(text: &str) -> Result<Integers, String> {
 }
 
 fn encoding(text: &str) -> Result<TableEncoding, String> {
-    word(text, &[("f32", TableEncoding::F32), ("f16", TableEncoding::F16), ("u8", TableEncoding::U8)])
+    let encodings = [
+        ("f32", TableEncoding::F32),
+        ("f16", TableEncoding::F16),
+        ("u8", TableEncoding::U8),
+        ("compact", TableEncoding::Compact),
+    ];
+    word(text, &encodings)
+}
+
+fn method(text: &str) -> Result<HorizonMethod, String> {
+    let methods =
+        [("sweep", HorizonMethod::Sweep), ("accurate", HorizonMethod::Accurate), ("exact", HorizonMethod::Exact)];
+    word(text, &methods)
+}
+
+fn arc(text: &str) -> Result<(f64, f64), String> {
+    let accepted = || "accepted: degrees from within ±360 to a larger number, less than 360 beyond".to_owned();
+    let (first, last) = text.split_once(',').ok_or_else(accepted)?;
+    let (first, last) = (finite(first).map_err(|_| accepted())?, finite(last).map_err(|_| accepted())?);
+    let is_arc = first.abs() <= 360.0 && last > first && last - first < 360.0;
+    if is_arc { Ok((first, last)) } else { Err(accepted()) }
 }
 
 fn compression(text: &str) -> Result<Compression, String> {
