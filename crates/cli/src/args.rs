@@ -139,8 +139,9 @@ pub(crate) enum ProgressStyleName {
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Values: height and distance in the length unit, horizon as the slope (tangent of the elevation) \
-in npy, as degrees in text, as both in csv, as radians in exr, over the table's range in png.
+    after_help = "Values: heights and distances in the length unit, horizons as the slope (tangent of the elevation) \
+in npy, as degrees in text, as both in csv, as radians in exr, over the table's range in png; sky visibility from 0 to 1; bent \
+normal and aperture cone as u, v, height and cosine of the half-angle, in png as red, green, blue and alpha.
 
 Examples:
   barchan dump dunes.barchan horizon --format npy -o horizon.npy     float32 [directions, height, width]
@@ -151,7 +152,8 @@ Examples:
 pub(crate) struct DumpArguments {
     /// The .barchan file
     pub(crate) file: PathBuf,
-    /// height, horizon or distance; may be left out if the file has one table
+    /// height, horizon, distance, swept_horizon, swept_distance, sky_visibility, bent_normal or aperture_cone; may be left
+    /// out if the file has one table
     #[arg(value_parser = table)]
     pub(crate) table: Option<Table>,
     /// One layer (direction) only
@@ -175,9 +177,9 @@ pub(crate) enum DumpFormat {
     Csv,
     /// A float32 NumPy array
     Npy,
-    /// A grey picture, 16 bits; layers in a contact sheet
+    /// A picture of 16 bits, in colour for vectors; layers in a contact sheet
     Png,
-    /// Float channels, one per layer
+    /// Float channels, one per layer and number
     Exr,
 }
 
@@ -190,7 +192,7 @@ pub(crate) struct CompareArguments {
     pub(crate) a: PathBuf,
     /// The second
     pub(crate) b: PathBuf,
-    /// The difference to accept: degrees for the horizon, the length unit for heights and distances
+    /// The difference to accept: degrees for horizons, the length unit for heights and distances, plain numbers for the sky
     #[arg(long, value_name = "VALUE", default_value_t = 0.0, allow_hyphen_values = true, value_parser = not_negative)]
     pub(crate) tolerance: f64,
 }

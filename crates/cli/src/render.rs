@@ -55,6 +55,7 @@ pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json
         return Err(file.content("height and horizon differ in extent; a picture needs them to agree"));
     }
     let surface = Surface::new(&heights);
+    check_covered(&file, &horizon, arguments.azimuth)?;
     let light = DirectionalLight::from_degrees(arguments.azimuth, arguments.elevation);
     let scene = Scene { pixels: pixels(&file, &surface, arguments.scale)?, surface: &surface, horizon, light };
     let display = ProgressDisplay::new(progress);
@@ -63,6 +64,18 @@ pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json
     output::write_whole(&arguments.output, &png(&drawing.picture)?)?;
     console::present(&report(arguments, drawing), json, describe)?;
     Ok(ExitStatus::Success)
+}
+
+/// Beyond the arc of a table its nearer end would be shown, which is no shadow of that sun.
+fn check_covered(file: &AssetFile, horizon: &HorizonView<'_>, azimuth_degrees: f64) -> Result<(), Failure> {
+    let descriptor = *horizon.table().descriptor();
+    match console::covered_arc(&descriptor) {
+        Some(arc) if !horizon.azimuths().covers(azimuth_degrees.rem_euclid(360.0).to_radians()) => {
+            let (file, arc) = (file.path.display(), console::arc(arc));
+            Err(Failure::Usage(format!("{file}: --azimuth is {azimuth_degrees}; its horizon is baked {arc}")))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn report(arguments: &RenderArguments, drawing: Drawing) -> Report {

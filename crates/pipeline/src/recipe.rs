@@ -209,6 +209,14 @@ pub enum HorizonMethod {
     Exact,
 }
 
+impl HorizonMethod {
+    /// `sweep`, `accurate` or `exact`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Method::from(self).name()
+    }
+}
+
 impl From<HorizonMethod> for Method {
     fn from(method: HorizonMethod) -> Self {
         match method {
