@@ -10,7 +10,7 @@ pub(crate) struct Options {
     /// Seconds instead of minutes, to see that it runs: records go to target/study, the README stays as it is
     #[arg(long)]
     quick: bool,
-    /// Measure only these, separated by commas: bench, accuracy, shadow
+    /// Measure only these, separated by commas: bench, accuracy, shadow, kappa
     #[arg(long, value_name = "RECORDS")]
     only: Option<String>,
     /// Measure nothing: write the README's tables from the records there are

@@ -1,7 +1,7 @@
 //! The program behind `cargo xtask bench`: measures, writes records and the README's tables, and checks one against the other.
 //!
 //! ```text
-//! cargo run --release -p barchan-study --example study -- measure [--quick] [--only bench,accuracy,shadow]
+//! cargo run --release -p barchan-study --example study -- measure [--quick] [--only bench,accuracy,shadow,kappa]
 //! cargo run -p barchan-study --example study -- render
 //! cargo run -p barchan-study --example study -- check
 //! ```
@@ -19,7 +19,8 @@ use barchan_import::{HeightMapOptions, Integers, read_height_map};
 use barchan_study::bandwidth::{self, Bandwidth};
 use barchan_study::report::Block;
 use barchan_study::{
-    Machine, Record, RecordFile, Scale, Scene, Step, horizon_accuracy, horizon_shadow, horizon_speed, markdown, run,
+    Machine, Record, RecordFile, Scale, Scene, Step, horizon_accuracy, horizon_curvature, horizon_shadow,
+    horizon_speed, markdown, run,
 };
 use clap::{Parser, Subcommand};
 
@@ -44,8 +45,8 @@ enum Task {
         /// A small run: records go to target/study and the README stays as it is
         #[arg(long)]
         quick: bool,
-        /// Measure only these, separated by commas: bench, accuracy, shadow
-        #[arg(long, value_delimiter = ',', value_parser = ["bench", "accuracy", "shadow"])]
+        /// Measure only these, separated by commas: bench, accuracy, shadow, kappa
+        #[arg(long, value_delimiter = ',', value_parser = ["bench", "accuracy", "shadow", "kappa"])]
         only: Vec<String>,
     },
     /// Write the README's tables from the records there are
@@ -81,7 +82,8 @@ fn measure(scale: Scale, only: &[String]) -> Result<()> {
     let folder = root().join(if scale == Scale::Full { RECORDS } else { QUICK_RECORDS });
     fs::create_dir_all(&folder).with_context(|| format!("{} cannot be made", folder.display()))?;
     let wanted = |block: Block| only.is_empty() || only.iter().any(|name| name == block.name());
-    let studies: [(Block, Measure); 3] = [(Block::Bench, speed), (Block::Accuracy, accuracy), (Block::Shadow, shadow)];
+    let studies: [(Block, Measure); 4] =
+        [(Block::Bench, speed), (Block::Accuracy, accuracy), (Block::Shadow, shadow), (Block::Kappa, curvature)];
     for (block, study) in studies {
         if !wanted(block) {
             continue;
@@ -124,6 +126,12 @@ fn shadow(scale: Scale, cores: usize) -> Result<Vec<Record>> {
     let exec = Exec::new(cores)?;
     let (study, scenes) = horizon_shadow::parts(scale, &exec, terrain(scale)?)?;
     Ok(horizon_shadow::measure(&study, &scenes, &mut announce)?)
+}
+
+fn curvature(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    let (study, scenes) = horizon_curvature::parts(scale, &exec)?;
+    Ok(run(&study, &scenes, &mut announce)?)
 }
 
 /// Real terrain, as `samples/jacksboro.ron` describes it; a quick run does without.

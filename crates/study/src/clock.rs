@@ -21,6 +21,14 @@ pub struct Elapsed {
     pub cpu_seconds: Option<f64>,
 }
 
+impl Elapsed {
+    /// The time of one core: processor time where the system says it, else the wall's.
+    #[must_use]
+    pub fn core_seconds(&self) -> f64 {
+        self.cpu_seconds.unwrap_or(self.wall_seconds)
+    }
+}
+
 impl Stopwatch {
     /// Starts both clocks.
     #[must_use]

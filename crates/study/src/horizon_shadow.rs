@@ -122,8 +122,7 @@ impl Study for Shadow<'_> {
     ) -> Result<Vec<Record>, StudyError> {
         let watch = Stopwatch::start();
         let map = bake(scene, truth.radius, (directions, method), self.exec)?;
-        let elapsed = watch.elapsed();
-        let bake_seconds = Some(elapsed.cpu_seconds.unwrap_or(elapsed.wall_seconds));
+        let bake_seconds = Some(watch.elapsed().core_seconds());
         let mut records = Vec::new();
         for encoding in Encoding::ALL {
             let table = tables::horizon(&map, encoding)?;

@@ -1,4 +1,4 @@
-//! How fast horizon maps are baked: method × field × size × azimuths × threads.
+//! How fast horizon maps are baked: method × field × size × azimuths × threads; and what else is baked like them.
 //!
 //! # What is counted
 //!
@@ -12,10 +12,17 @@
 //! Cases of one [`Heat`] take turns, so they may be compared: each heat varies one thing and holds everything else. Most
 //! run the azimuths of one [`quarter`] turn, a fourth of the work: by symmetry each quarter has the same mix of tilts.
 //!
+//! One heat, of the default method, varies the work: a map, one sweep of bent relief, points for a range of curvatures
+//! (5 sweeps and the choice of 2 points, counted as one item), and the sky gathered from a map baked before.
+//!
 //! [`Bandwidth`]: crate::bandwidth::Bandwidth
 
+use std::any::Any;
+
 use barchan_bakers::Exec;
-use barchan_bakers::horizon::{self, Azimuths, HorizonMap, HorizonParams, Method};
+use barchan_bakers::horizon::{self, Azimuths, BentLayer, HorizonParams, Method, bake_bent};
+use barchan_bakers::sky::{SkyAccumulator, SkyParams};
+use barchan_bakers::swept::{CurvatureRange, Points, SweptBaker, SweptParams};
 
 use crate::bandwidth::Bandwidth;
 use crate::runner::Observer;
@@ -28,6 +35,38 @@ pub const TERRAIN: &str = "fractal_terrain";
 /// Terrain, and the fields on which a baker may get stuck.
 const FIELDS: [&str; 6] = [TERRAIN, "dunes", "white_noise", "steep_noise", "spike", "constant"];
 
+/// The range of curvatures that points are baked for, per length unit, and how many points.
+const SWEPT: SweptParams = SweptParams { range: CurvatureRange { min: 0.0, max: 0.015 }, points: Points::Count(2) };
+
+/// How far curved bases are searched: within half round the tightest, as relief on them is.
+const SWEPT_RADIUS: f64 = 200.0;
+
+/// What is baked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Work {
+    /// A horizon map.
+    Map,
+    /// The points of one bend.
+    Bent,
+    /// The points kept for a range of curvatures.
+    Swept,
+    /// The sky, its horizons baked before.
+    Sky,
+}
+
+impl Work {
+    const ALL: [Self; 4] = [Self::Map, Self::Bent, Self::Swept, Self::Sky];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Map => "map",
+            Self::Bent => "bent",
+            Self::Swept => "swept",
+            Self::Sky => "sky",
+        }
+    }
+}
+
 /// One bake to be timed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Case {
@@ -35,6 +74,8 @@ pub struct Case {
     pub scene: &'static str,
     /// Texels along a side.
     pub size: u32,
+    /// What.
+    pub work: Work,
     /// How exactly.
     pub method: Method,
     /// Which azimuths.
@@ -48,7 +89,7 @@ pub struct Case {
 /// Cases that take turns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heat {
-    /// What is varied: `field`, `size`, `directions`, `distance` or `threads`.
+    /// What is varied: `field`, `size`, `directions`, `distance`, `threads` or `work`.
     pub varied: &'static str,
     /// How long.
     pub pace: Pace,
@@ -81,7 +122,7 @@ impl Sizes {
         let full = Azimuths::full_circle;
         match (scale, method) {
             (Scale::Full, Method::Exact) => {
-                Self { usual: 1024, varied: &[512, 1024, 2048], directions_at: 512, threads_at: (1024, quarter(32)) }
+                Self { usual: 512, varied: &[256, 512, 1024], directions_at: 256, threads_at: (1024, quarter(32)) }
             }
             (Scale::Full, _) => {
                 Self { usual: 2048, varied: &[512, 1024, 2048, 4096], directions_at: 512, threads_at: (2048, full(32)) }
@@ -94,14 +135,21 @@ impl Sizes {
 
     fn heats(&self, method: Method, scale: Scale, threads: usize) -> Vec<Heat> {
         let pace = match scale {
-            Scale::Full => Pace { seconds: 12.0, max_rounds: 7 },
+            Scale::Full => Pace { seconds: 6.0, max_rounds: 7 },
             Scale::Quick => Pace { seconds: 0.2, max_rounds: 3 },
         };
         let heat = |varied, cases| Heat { varied, pace, cases };
-        let usual =
-            Case { scene: TERRAIN, size: self.usual, method, azimuths: quarter(32), distance: false, threads: 1 };
+        let usual = Case {
+            scene: TERRAIN,
+            size: self.usual,
+            work: Work::Map,
+            method,
+            azimuths: quarter(32),
+            distance: false,
+            threads: 1,
+        };
         let (size, azimuths) = self.threads_at;
-        vec![
+        let mut heats = vec![
             heat("field", FIELDS.map(|scene| Case { scene, ..usual }).to_vec()),
             heat("size", self.varied.iter().map(|&size| Case { size, ..usual }).collect()),
             heat(
@@ -112,7 +160,12 @@ impl Sizes {
             ),
             heat("distance", [false, true].map(|distance| Case { distance, ..usual }).to_vec()),
             heat("threads", thread_counts(threads).map(|threads| Case { size, azimuths, threads, ..usual }).collect()),
-        ]
+        ];
+        if method == Method::default() {
+            let usual = Case { size: self.directions_at, azimuths: Azimuths::full_circle(16), distance: true, ..usual };
+            heats.push(heat("work", Work::ALL.map(|work| Case { work, ..usual }).to_vec()));
+        }
+        heats
     }
 }
 
@@ -129,10 +182,16 @@ impl Case {
         f64::from(self.size) * f64::from(self.size) * f64::from(self.azimuths.count())
     }
 
-    /// The least traffic per texel and direction: a height read, an elevation written, a distance written if asked for.
+    /// The least traffic per texel and direction: a height read, an elevation written, a distance written if asked for;
+    /// both of each point; of the sky an elevation read.
     #[must_use]
     pub fn bytes_moved(&self) -> f64 {
-        if self.distance { 12.0 } else { 8.0 }
+        match self.work {
+            Work::Map if !self.distance => 8.0,
+            Work::Map | Work::Bent => 12.0,
+            Work::Swept => 20.0,
+            Work::Sky => 4.0,
+        }
     }
 
     /// What was set, as records say it.
@@ -143,6 +202,7 @@ impl Case {
             Azimuths::Arc { .. } => "quarter",
         };
         Setting::default()
+            .with("work", self.work.name())
             .with("method", self.method.name())
             .with("directions", self.azimuths.count())
             .with("of", circle)
@@ -150,11 +210,46 @@ impl Case {
             .with("threads", self.threads)
     }
 
-    fn contestant<'a>(&'a self, scene: &'a Scene, exec: &'a Exec<'a>) -> Contestant<'a, HorizonMap> {
-        let radius = HorizonParams::default_radius(scene.field.grid());
+    fn contestant<'a>(
+        &'a self,
+        scene: &'a Scene,
+        exec: &'a Exec<'a>,
+    ) -> Result<Contestant<'a, Box<dyn Any>>, StudyError> {
+        let field = &scene.field;
+        let radius = match self.work {
+            Work::Map | Work::Sky => HorizonParams::default_radius(field.grid()),
+            Work::Bent | Work::Swept => SWEPT_RADIUS,
+        };
         let params = HorizonParams { azimuths: self.azimuths, radius, distance: self.distance, method: self.method };
-        let name = format!("{} {}² {}", self.scene, self.size, self.setting());
-        Contestant { name, work: Box::new(move || Ok(horizon::bake(&scene.field, &params, exec)?)) }
+        let work: Box<dyn FnMut() -> Result<Box<dyn Any>, StudyError> + 'a> = match self.work {
+            Work::Map => Box::new(move || Ok(Box::new(horizon::bake(field, &params, exec)?))),
+            Work::Bent => Box::new(move || {
+                let mut layer = BentLayer::new(field)?;
+                for direction in 0..params.directions() {
+                    bake_bent(field, &params, direction, 0.5 * SWEPT.range.max, exec, &mut layer)?;
+                }
+                Ok(Box::new(layer))
+            }),
+            Work::Swept => Box::new(move || {
+                let mut baker = SweptBaker::new(field, &params, &SWEPT, exec)?;
+                let mut layers = (0..baker.points()).map(|_| BentLayer::new(field)).collect::<Result<Vec<_>, _>>()?;
+                for direction in 0..params.directions() {
+                    baker.bake_direction(direction, exec, &mut layers)?;
+                }
+                Ok(Box::new(layers))
+            }),
+            Work::Sky => {
+                let map = horizon::bake(field, &params, exec)?;
+                Box::new(move || {
+                    let mut sky = SkyAccumulator::new(field, &params.azimuths, SkyParams::ALL)?;
+                    for direction in 0..params.directions() {
+                        sky.add(direction, map.elevation_layer(direction), exec);
+                    }
+                    Ok(Box::new(sky.finish(exec)?))
+                })
+            }
+        };
+        Ok(Contestant { name: format!("{} {}² {}", self.scene, self.size, self.setting()), work })
     }
 
     /// `bandwidths` in ascending order of threads.
@@ -179,8 +274,8 @@ pub fn measure(heat: &Heat, bandwidths: &[Bandwidth], observe: &mut Observer<'_>
     let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
     let pools = heat.cases.iter().map(|case| Exec::new(case.threads)).collect::<Result<Vec<_>, _>>()?;
     let cases = heat.cases.iter().zip(&scenes);
-    let mut contestants: Vec<_> =
-        cases.clone().zip(&pools).map(|((case, scene), pool)| case.contestant(scene, pool)).collect();
+    let contestants = cases.clone().zip(&pools).map(|((case, scene), pool)| case.contestant(scene, pool));
+    let mut contestants = contestants.collect::<Result<Vec<_>, _>>()?;
     let timings = race(&mut contestants, &heat.pace, observe)?;
     Ok(cases.zip(&timings).map(|((case, scene), timing)| case.record(heat.varied, scene, timing, bandwidths)).collect())
 }
@@ -192,6 +287,7 @@ mod tests {
     const TINY: Case = Case {
         scene: TERRAIN,
         size: 8,
+        work: Work::Map,
         method: Method::Sweep,
         azimuths: Azimuths::FullCircle { count: 8 },
         distance: true,
@@ -220,6 +316,19 @@ mod tests {
             assert!(settings.windows(2).all(|pair| pair[0] == pair[1]), "{}: {settings:?}", heat.varied);
             assert!(heat.cases.len() > 1, "{}", heat.varied);
         }
+    }
+
+    #[test]
+    fn all_kinds_of_work_are_timed_once_by_the_default_method() {
+        let heats = heats(Scale::Quick, 1);
+        let work: Vec<&Heat> = heats.iter().filter(|heat| heat.varied == "work").collect();
+        assert_eq!(work.len(), 1);
+        let pace = Pace { seconds: 0.0, max_rounds: 1 };
+        let bandwidths = [Bandwidth { threads: 1, copy: 10.0, triad: 1.0 }];
+        let records = measure(&Heat { pace, ..work[0].clone() }, &bandwidths, &mut |_| ()).unwrap();
+        let words: Vec<_> = records.iter().filter_map(|record| record.setting.get("work")).collect();
+        assert_eq!(words, ["map", "bent", "swept", "sky"]);
+        assert!(records.iter().all(|record| record.core_ns() > Some(0.0)));
     }
 
     #[test]

@@ -24,6 +24,7 @@ mod clock;
 mod csv;
 mod error;
 pub mod horizon_accuracy;
+pub mod horizon_curvature;
 mod horizon_point;
 pub mod horizon_shadow;
 pub mod horizon_speed;

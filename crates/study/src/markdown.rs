@@ -43,19 +43,6 @@ impl Table {
         let rows: String = self.rows.iter().map(|row| line(row)).collect();
         line(&self.header) + &rule + &rows
     }
-
-    /// Any CSV text as a table, its comments left out.
-    ///
-    /// # Errors
-    /// Rows of different lengths.
-    pub fn from_csv(text: &str) -> Result<Self, StudyError> {
-        let mut reader = ::csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-        let mut table = Self::new(reader.headers()?);
-        for row in reader.records() {
-            table.push(row?.iter().map(str::to_owned).collect());
-        }
-        Ok(table)
-    }
 }
 
 fn line(cells: &[String]) -> String {
@@ -102,13 +89,6 @@ mod tests {
         assert!(table.is_empty());
         table.push(vec!["a|b\nc".to_owned(), "0.5°".to_owned()]);
         assert_eq!(table.render(), "| field | RMS |\n|---|---:|\n| a\\|b c | 0.5° |\n");
-    }
-
-    #[test]
-    fn any_csv_is_a_table() {
-        let table = Table::from_csv("# machine: this\nn,\"bytes, all\"\n1,2\n").unwrap();
-        assert_eq!(table.render(), "| n | bytes, all |\n|---|---:|\n| 1 | 2 |\n");
-        assert!(Table::from_csv("a,b\n1\n").is_err());
     }
 
     #[test]

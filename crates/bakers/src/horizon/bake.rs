@@ -1,17 +1,19 @@
 //! Blocks of lines handed to threads, and what they find written where it belongs.
 
+use std::ops::Range;
 use std::sync::Mutex;
 
 use barchan_asset::f32_at_most;
 use barchan_field::HeightField;
 
 use super::bands::{BAND_ROWS, Bands};
+use super::exact::{ExactUnits, Proof};
 use super::far::Scene;
 use super::lines::{LINES, Lines};
 use super::map::LayerMut;
 use super::sheared::{HeightScale, Sheared};
-use super::sweep::{Units, Workspace, sweep_block};
-use super::{BentLayer, HorizonLayer, HorizonMap, HorizonParams};
+use super::sweep::{Job, Units, Workspace};
+use super::{BentLayer, HorizonLayer, HorizonMap, HorizonParams, Method};
 use crate::{BakeError, Exec};
 
 /// Bakes all directions at once: the same bytes for any number of threads.
@@ -94,11 +96,12 @@ fn fill<'a>(
 struct Buffers {
     sheared: Sheared,
     workspace: Workspace,
+    proof: Proof,
 }
 
 impl Buffers {
     fn new() -> Self {
-        Self { sheared: Sheared::default(), workspace: Workspace::new() }
+        Self { sheared: Sheared::default(), workspace: Workspace::new(), proof: Proof::new() }
     }
 }
 
@@ -106,6 +109,7 @@ impl Buffers {
 struct Direction<'a> {
     lines: Lines,
     units: Units,
+    exact_units: ExactUnits,
     bend: f32,
     width: usize,
     bands: Vec<Mutex<LayerMut<'a>>>,
@@ -123,11 +127,15 @@ impl<'a> Direction<'a> {
         let lines = Lines::new(field, params, index);
         let width = field.grid().width as usize;
         let length = lines.octant.length_per_major;
-        let slope = (1.0 / (f64::from(scale.factor) * length)) as f32;
-        let units = Units {
-            slope: slope.min(f32::MAX),
-            length: length as f32,
+        let exact_units = ExactUnits {
+            slope: 1.0 / (f64::from(scale.factor) * length),
+            length,
             farthest: f32_at_most(params.radius),
+        };
+        let units = Units {
+            slope: (exact_units.slope as f32).min(f32::MAX),
+            length: length as f32,
+            farthest: exact_units.farthest,
             angles: matches!(output, Output::Elevation),
         };
         let bend = match output {
@@ -135,7 +143,7 @@ impl<'a> Direction<'a> {
             Output::Slope { bend } => (bend * length * length * f64::from(scale.factor)) as f32,
         };
         let bands = layer.bands(width, BAND_ROWS).into_iter().map(Mutex::new).collect();
-        Self { lines, units, bend, width, bands }
+        Self { lines, units, exact_units, bend, width, bands }
     }
 
     fn bake_block(
@@ -152,19 +160,22 @@ impl<'a> Direction<'a> {
         buffers.sheared.take(field, lines, first_line, columns_in_sight, scale.factor);
         let scene = Scene { lines, heights: &buffers.sheared.heights, datum: scale.datum, bend: self.bend };
         let bands = Bands { bands: &self.bands, width: self.width };
-        let mut write = |columns: std::ops::Range<usize>, elevations: &[[f32; LINES]], distances: &[[f32; LINES]]| {
-            bands.write(lines, first_line, columns, elevations, distances);
+        let proves = params.method == Method::Exact && self.units.angles;
+        if proves {
+            buffers.proof.take(&scene, columns_in_sight);
+        }
+        let proof = &mut buffers.proof;
+        let mut write = |columns: Range<usize>, values: &[[f32; LINES]], distances: &[[f32; LINES]]| {
+            if proves {
+                let owned = 0..lines.owned(first_line);
+                let (values, distances) = proof.prove(scene, self.exact_units, columns.clone(), owned, distances);
+                bands.write(lines, first_line, columns, values, distances);
+            } else {
+                bands.write(lines, first_line, columns, values, distances);
+            }
         };
-        let workspace = &mut buffers.workspace;
-        sweep_block(
-            scene,
-            columns,
-            columns_in_sight,
-            self.units,
-            params.method,
-            params.distance,
-            workspace,
-            &mut write,
-        );
+        let job = Job { scene, columns, columns_in_sight, units: self.units };
+        // A proof starts from where the sweep saw the horizon.
+        job.sweep(params.method, params.distance || proves, &mut buffers.workspace, &mut write);
     }
 }

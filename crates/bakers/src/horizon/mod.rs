@@ -29,6 +29,7 @@ mod bake;
 mod bands;
 mod best;
 mod direction;
+mod exact;
 mod far;
 mod lane_hull;
 mod lines;

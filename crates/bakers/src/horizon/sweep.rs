@@ -85,36 +85,28 @@ pub(crate) struct Units {
 /// Takes the results of some columns, at most [`TILE`], elevations in radians or slopes, and distances in lengths.
 pub(crate) type Sink<'a> = dyn FnMut(std::ops::Range<usize>, &[[f32; LINES]], &[[f32; LINES]]) + 'a;
 
-/// Sweeps a block of lines whose texels lie in `columns`.
-pub(crate) fn sweep_block(
-    scene: Scene<'_>,
-    columns: std::ops::Range<usize>,
-    columns_in_sight: usize,
-    units: Units,
-    method: Method,
-    distance: bool,
-    workspace: &mut Workspace,
-    sink: &mut Sink<'_>,
-) {
-    let block = BlockSweep { scene, columns, columns_in_sight, units };
-    let effort = Effort::of(method);
-    let level = Level::new();
-    match (effort.thorough, distance) {
-        (true, true) => dispatch!(level, simd => block.run::<_, true, true>(simd, effort, workspace, sink)),
-        (true, false) => dispatch!(level, simd => block.run::<_, true, false>(simd, effort, workspace, sink)),
-        (false, true) => dispatch!(level, simd => block.run::<_, false, true>(simd, effort, workspace, sink)),
-        (false, false) => dispatch!(level, simd => block.run::<_, false, false>(simd, effort, workspace, sink)),
+/// A block of lines to be swept.
+pub(crate) struct Job<'a> {
+    pub(crate) scene: Scene<'a>,
+    /// Where its texels lie.
+    pub(crate) columns: std::ops::Range<usize>,
+    pub(crate) columns_in_sight: usize,
+    pub(crate) units: Units,
+}
+
+impl Job<'_> {
+    /// Sweeps it; distances are found only if they are wanted.
+    pub(crate) fn sweep(&self, method: Method, distance: bool, workspace: &mut Workspace, sink: &mut Sink<'_>) {
+        let effort = Effort::of(method);
+        let level = Level::new();
+        match (effort.thorough, distance) {
+            (true, true) => dispatch!(level, simd => self.run::<_, true, true>(simd, effort, workspace, sink)),
+            (true, false) => dispatch!(level, simd => self.run::<_, true, false>(simd, effort, workspace, sink)),
+            (false, true) => dispatch!(level, simd => self.run::<_, false, true>(simd, effort, workspace, sink)),
+            (false, false) => dispatch!(level, simd => self.run::<_, false, false>(simd, effort, workspace, sink)),
+        }
     }
-}
 
-struct BlockSweep<'a> {
-    scene: Scene<'a>,
-    columns: std::ops::Range<usize>,
-    columns_in_sight: usize,
-    units: Units,
-}
-
-impl BlockSweep<'_> {
     #[inline(always)]
     fn run<S: Simd, const THOROUGH: bool, const DISTANCE: bool>(
         &self,
@@ -217,7 +209,7 @@ struct Sight {
 }
 
 impl Sight {
-    fn new(sweep: &BlockSweep<'_>, column: usize, effort: Effort) -> Self {
+    fn new(sweep: &Job<'_>, column: usize, effort: Effort) -> Self {
         let lines = sweep.scene.lines;
         let first = column / BLOCK + effort.near / BLOCK + 1;
         let near = first * BLOCK - column;

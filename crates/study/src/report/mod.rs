@@ -3,12 +3,12 @@
 //! A block is a pure function of the file, so that a document can be checked against it.
 
 mod accuracy;
+mod curvature;
 mod numbers;
 mod promises;
 mod shadow;
 mod speed;
 
-use crate::markdown::Table;
 use crate::{RecordFile, StudyError};
 
 /// A file of records, and the block of the same name that it fills.
@@ -20,7 +20,7 @@ pub enum Block {
     Accuracy,
     /// What the shader decides: [`horizon_shadow`](crate::horizon_shadow).
     Shadow,
-    /// Curvature: a table of columns of its own, shown as it is.
+    /// What curved bases do to it: [`horizon_curvature`](crate::horizon_curvature).
     Kappa,
 }
 
@@ -49,7 +49,7 @@ impl Block {
             Self::Bench => Ok(speed::render(&RecordFile::from_csv(csv)?)),
             Self::Accuracy => Ok(accuracy::render(&RecordFile::from_csv(csv)?)),
             Self::Shadow => Ok(shadow::render(&RecordFile::from_csv(csv)?)),
-            Self::Kappa => Ok(Table::from_csv(csv)?.render()),
+            Self::Kappa => Ok(curvature::render(&RecordFile::from_csv(csv)?)),
         }
     }
 }

@@ -51,9 +51,20 @@ fn case(record: &Record) -> String {
         "directions" => format!("{} azimuths", value(record, "directions")),
         "distance" if value(record, "distance") == "true" => "with distances".to_owned(),
         "distance" => "without distances".to_owned(),
+        "work" => work(value(record, "work")).to_owned(),
         "threads" if threads(record) == 1 => "1 thread".to_owned(),
         "threads" => format!("{} threads", threads(record)),
         _ => record.scene.replace('_', " "),
+    }
+}
+
+fn work(name: &str) -> &str {
+    match name {
+        "map" => "map with distances",
+        "bent" => "one bend's points",
+        "swept" => "2 points of 5 bends",
+        "sky" => "sky, its horizons given",
+        other => other,
     }
 }
 
