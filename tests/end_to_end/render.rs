@@ -97,3 +97,18 @@ fn a_picture_needs_heights_and_a_horizon() {
     );
     assert!(!place.names().contains(&"lit.png".to_owned()));
 }
+
+#[test]
+fn a_sun_outside_the_arc_is_refused_and_one_within_agrees_with_the_traced_one() {
+    let place = Place::new();
+    place.bake(&RIPPLES.replace("directions: 16", "directions: 9, arc: (-45, 135)"));
+    for azimuth in ["-45", "0", "135", "315"] {
+        let report = place.json(&format!("render out.barchan --azimuth {azimuth} --elevation 10 --compare -o lit.png"));
+        let wrong = report["comparison"]["wrong_share_at_texel_centres"].as_f64().unwrap();
+        assert!(wrong < 0.01, "{wrong} of the texels are wrong at azimuth {azimuth}");
+    }
+    assert_eq!(
+        place.fails(1, "render out.barchan --azimuth 200 -o other.png"),
+        "out.barchan: --azimuth is 200; its horizon is baked from -45° to 135°"
+    );
+}

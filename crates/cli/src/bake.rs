@@ -11,7 +11,7 @@ use barchan_pipeline::{
 use serde::Serialize;
 
 use crate::args::{BakeArguments, HeightMapArguments, ProgressStyleName};
-use crate::console::{self, bytes, number};
+use crate::console::{self, bytes, error_in, number};
 use crate::failure::{ExitStatus, Failure};
 use crate::output::{self, PendingFile};
 use crate::progress::ProgressDisplay;
@@ -154,7 +154,7 @@ fn output_path(arguments: &BakeArguments) -> Result<PathBuf, Failure> {
 fn describe(report: &Report<'_>) -> String {
     let Report { bake, output, total_seconds } = report;
     let mut text = String::new();
-    let mut line = |what: &str, words: String| text += &format!("{what:9} {words}\n");
+    let mut line = |what: &str, words: String| text += &format!("{what:14} {words}\n");
     line("baked", format!("{output}, {}, in {total_seconds:.2} s", bytes(bake.file_bytes)));
     line("source", source_words(bake));
     for table in &bake.tables {
@@ -199,12 +199,7 @@ fn table_words(table: &TableReport) -> String {
     if *worst_case_error == 0.0 {
         return format!("{format}{layers}, {size}, exact");
     }
-    let error = |error: &f64| match *unit {
-        "rad" => format!("{}°", number(error.to_degrees())),
-        "" => number(*error),
-        unit => format!("{} {unit}", number(*error)),
-    };
-    let (bound, rms, max) = (error(worst_case_error), error(encoding_rms), error(encoding_max));
+    let [bound, rms, max] = [*worst_case_error, *encoding_rms, *encoding_max].map(|error| error_in(unit, error));
     format!("{format}{layers}, {size}, ± {bound} (measured {rms} RMS, {max} at most)")
 }
 
@@ -240,7 +235,7 @@ fn next_words(bake: &BakeReport, output: &str) -> String {
     // Never the name of a height map that may lie beside the file.
     let picture = Path::new(output).with_extension("lit.png");
     let (output, picture) = (shell_word(output), shell_word(&picture.display().to_string()));
-    format!("{inspect}\n          {program} render {output} --azimuth 135 --elevation 10 -o {picture}")
+    format!("{inspect}\n               {program} render {output} --azimuth 135 --elevation 10 -o {picture}")
 }
 
 /// A word as a shell takes it.

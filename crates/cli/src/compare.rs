@@ -162,7 +162,7 @@ fn describe(report: &Report) -> String {
             (None, None) => String::new(),
         };
         // Writing into a String cannot fail.
-        let _ = writeln!(text, "{:9} {words}", table.table);
+        let _ = writeln!(text, "{:14} {words}", table.table);
     }
     let verdict = if report.same { "the same" } else { "different" };
     let _ = writeln!(text, "{} and {}: {verdict} at tolerance {}", report.a, report.b, report.tolerance);

@@ -100,6 +100,15 @@ pub(crate) fn arc((first, last): (f64, f64)) -> String {
     format!("from {}° to {}°", number(first), number(last))
 }
 
+/// An error of a table, by the symbol of its unit: degrees for angles.
+pub(crate) fn error_in(unit: &str, error: f64) -> String {
+    match unit {
+        "rad" => format!("{}°", number(error.to_degrees())),
+        "" => number(error),
+        unit => format!("{} {unit}", number(error)),
+    }
+}
+
 /// The first and the last azimuth of a table in degrees; `None` all the way round, or without directions.
 pub(crate) fn covered_arc(descriptor: &TextureDescriptor) -> Option<(f64, f64)> {
     let azimuths = descriptor.azimuths().filter(|azimuths| !azimuths.is_full_circle())?;

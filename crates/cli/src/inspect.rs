@@ -143,7 +143,7 @@ fn provenance(asset: &Asset<'_>, limits: &Limits) -> Option<serde_json::Value> {
 
 fn describe(report: &Report) -> String {
     let mut text = String::new();
-    let mut line = |what: &str, words: String| text += &format!("{what:11} {words}\n");
+    let mut line = |what: &str, words: String| text += &format!("{what:14} {words}\n");
     line("file", format!("{}, {}, format {}", report.file, bytes(report.file_bytes), report.version));
     line("identity", format!("blake3 {}", report.identity));
     for section in &report.sections {
@@ -229,10 +229,6 @@ fn horizon_words(horizon: &HorizonProvenance) -> Vec<String> {
 /// What storing cost, measured over all values.
 fn encoding_words(encoding: &EncodingProvenance) -> String {
     let EncodingProvenance { table, format, unit, rms, max } = encoding;
-    let in_unit = |value: &f64| match unit.as_str() {
-        "radian" => format!("{}°", number(value.to_degrees())),
-        "none" => number(*value),
-        unit => format!("{} {unit}", number(*value)),
-    };
-    format!("{table} stored as {format}: measured {} RMS, {} at most", in_unit(rms), in_unit(max))
+    let [rms, max] = [*rms, *max].map(|error| console::error_in(unit, error));
+    format!("{table} stored as {format}: measured {rms} RMS, {max} at most")
 }

@@ -3,10 +3,10 @@
 use std::io::{Read, Seek, Write};
 
 use barchan_asset::{ApertureConeTable, BentNormalTable, CurvatureSweep, SkyVisibilityTable};
-use barchan_bakers::Exec;
 use barchan_bakers::horizon::{self, BentLayer, HorizonLayer, HorizonParams};
 use barchan_bakers::sky::{SkyAccumulator, SkyParams};
 use barchan_bakers::swept::SweptBaker;
+use barchan_bakers::{BakeError, Exec};
 use barchan_field::HeightField;
 
 use crate::accuracy::{AccuracySample, HorizonAccuracy};
@@ -90,7 +90,7 @@ impl<'a> Baker<'a> {
         let swept = match plan.swept_params()? {
             Some(swept) => {
                 let baker = clock.stage("points", || SweptBaker::new(field, params, &swept, exec));
-                let baker = baker.map_err(|error| refused("curved", error))?;
+                let baker = baker.map_err(|error| refused("curved", as_recipes_spell_it(error)))?;
                 let layers = (0..baker.points()).map(|_| BentLayer::new(field));
                 let points = layers.collect::<Result<_, _>>().map_err(|error| refused("curved", error))?;
                 Some(Swept { baker, points })
@@ -124,6 +124,16 @@ impl<'a> Baker<'a> {
             clock.time("horizon", || layers.take(&mut swept.points));
         }
         Ok(layers)
+    }
+}
+
+/// A recipe says in which unit the error is.
+fn as_recipes_spell_it(error: BakeError) -> BakeError {
+    match error {
+        BakeError::Parameter { name: "max_error", value, accepted } => {
+            BakeError::Parameter { name: "max_error_degrees", value, accepted }
+        }
+        error => error,
     }
 }
 

@@ -12,6 +12,7 @@ mod clock;
 mod directions;
 mod error;
 mod layout;
+mod pair;
 mod plan;
 mod provenance;
 mod recipe;

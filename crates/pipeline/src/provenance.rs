@@ -196,7 +196,7 @@ pub struct EncodingProvenance {
     pub table: String,
     /// How a texel is stored.
     pub format: String,
-    /// The unit of the errors.
+    /// The symbol of the unit of the errors; empty for plain numbers.
     pub unit: String,
     /// RMS error.
     pub rms: f64,
@@ -210,7 +210,7 @@ impl EncodingProvenance {
         Self {
             table: table.name().to_owned(),
             format: descriptor.format.name().to_owned(),
-            unit: descriptor.unit.name().to_owned(),
+            unit: descriptor.unit.symbol().to_owned(),
             rms: loss.rms,
             max: loss.max,
         }

@@ -15,7 +15,7 @@ use serde_path_to_error::{Path, Segment};
 use thiserror::Error;
 
 use crate::spacing::SpacingText;
-use crate::syntax;
+use crate::{pair, syntax};
 
 /// A recipe, with every default filled in.
 #[derive(Debug, Clone, PartialEq)]
@@ -119,6 +119,7 @@ pub struct Scene {
     pub curved_surfaces: bool,
     /// The least and the greatest curvature of those surfaces, in 1 / length unit, positive where convex: horizons are
     /// to be right over all of that range. Says that there are curved surfaces.
+    #[serde(deserialize_with = "pair::optional")]
     pub curvature: Option<(f64, f64)>,
     /// Penumbrae are sized by the distance.
     pub soft_shadows: bool,
@@ -159,6 +160,7 @@ pub struct HorizonRecipe {
     pub directions: u32,
     /// The first and the last azimuth in degrees, counter-clockwise from +u, where a light never comes from elsewhere; `None`
     /// goes all the way round.
+    #[serde(deserialize_with = "pair::optional")]
     pub arc: Option<(f64, f64)>,
     /// How far to look, in the length unit; `None` takes what the edge policy suggests.
     pub radius: Option<f64>,
