@@ -421,6 +421,7 @@ fn an_exact_bake_is_more_exact_than_a_sweep() {
         report.horizon.unwrap().accuracy.unwrap()
     };
     let [sweep, accurate, exact] = [HorizonMethod::Sweep, HorizonMethod::Accurate, HorizonMethod::Exact].map(accuracy);
+    assert!(exact.sweep_max_degrees < 1e-3, "{exact:?}");
     assert!(exact.sweep_rms_degrees <= accurate.sweep_rms_degrees, "{accurate:?}");
     assert!(accurate.sweep_rms_degrees <= sweep.sweep_rms_degrees, "{sweep:?}");
 }
