@@ -289,3 +289,27 @@ fn the_sky_over_an_open_slope_is_that_of_the_closed_form() {
     // The sky is a lune: a hemisphere but for the wedge that the slope hides.
     near(middle(cone, 4)[3], slope / std::f32::consts::PI);
 }
+
+/// All directions together are 128 MiB; the program gets 96, for everything.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_bake_holds_one_direction_in_memory_and_not_all() {
+    let place = Place::new();
+    place.write(
+        "large.ron",
+        "(
+            source: Shape(shape: Ripples(amplitude: 2.0, waves_u: 3, waves_v: 1), width: 512, height: 512),
+            edge: wrap, scene: (), horizon: (directions: 128, radius: 8.0, method: sweep, encoding: f32),
+        )",
+    );
+    let run = place.shell("ulimit -v 98304; exec \"$BARCHAN\" bake large.ron -j 1");
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""));
+    assert!(run.stdout.contains("R32_SFLOAT × 128 directions, 128.0 MiB, exact"), "{}", run.stdout);
+    // Packing needs all of a table at once, and says so where there is no room.
+    let recipe = place.text("large.ron").replace("scene: (),", "scene: (), compression: zstd,");
+    place.write("packed.ron", recipe);
+    let run = place.shell("ulimit -v 98304; exec \"$BARCHAN\" bake packed.ron -j 1");
+    let message = "packed.ron: table HORZ: no memory for 134217728 bytes to compress; a raw table needs none";
+    assert_eq!((run.code, run.message().as_str()), (Some(4), message));
+    assert_eq!(place.names(), ["large.barchan", "large.ron", "packed.ron"]);
+}

@@ -9,14 +9,14 @@ use barchan_bakers::horizon::HorizonParams;
 use barchan_field::HeightField;
 
 use crate::clock::Clock;
-use crate::directions::{self, DirectionsDone};
+use crate::directions::{self, DirectionsDone, Task};
 use crate::error::refused;
 use crate::layout::table_grid;
 use crate::provenance::{EncodingProvenance, HorizonProvenance, Provenance, SkyProvenance, SweptProvenance};
 use crate::report::Facts;
-use crate::sink::Sink;
+use crate::sink::{Sink, WrittenTable};
 use crate::source;
-use crate::{BakeReport, Compression, PipelineError, Plan, Recipe, Table};
+use crate::{BakeReport, Compression, InputProvenance, PipelineError, Plan, Recipe, Table};
 
 /// A finished file and what there is to say about it.
 #[derive(Debug)]
@@ -54,23 +54,21 @@ pub fn bake<W: Read + Write + Seek>(plan: &Plan, run: &Run<'_>, out: W) -> Resul
     let mut clock = Clock::new(run.progress);
     let loaded = clock.stage("source", || source::load(&plan.recipe, run.folder))?;
     let (field, exec) = (&loaded.field, Exec::new(run.threads).map_err(|error| refused("-j", error))?);
-    let mut sink = Sink::new(out, codec(plan.recipe.compression));
+    let mut sink = Sink::new(out, codec(plan.recipe.compression), clock);
     if plan.bakes(Table::Height) {
         let table = HeightTable { grid: table_grid(field.grid()), values: field.samples() };
-        sink.whole(Table::Height, &mut clock, || table.encode(plan.recipe.height.encoding.into()))?;
+        sink.whole(Table::Height, || table.encode(plan.recipe.height.encoding.into()))?;
     }
     let params = plan.needs_horizon().then(|| horizon_params(plan, field));
-    let done = params
-        .as_ref()
-        .map(|params| directions::bake(plan, field, params, &exec, &mut clock, &mut sink))
-        .transpose()?;
+    let task = params.as_ref().map(|params| Task { plan, field, params, exec: &exec });
+    let done = task.map(|task| directions::bake(task, &mut sink)).transpose()?;
     let horizon = params
         .as_ref()
         .zip(done)
         .map(|(params, done)| HorizonProvenance::new(&plan.recipe.horizon, params, done.accuracy));
-    let provenance = provenance(plan, loaded.input.clone(), horizon, done, &sink);
+    let provenance = provenance(plan, loaded.input.clone(), horizon, done, &sink.written);
     let json = serde_json::to_string_pretty(&provenance).expect("finite numbers and string keys become JSON");
-    let Sink { mut stream, written, .. } = sink;
+    let Sink { mut stream, mut clock, written, .. } = sink;
     let finished = clock.stage("checksum", || {
         stream.provenance(&json)?;
         stream.finish()
@@ -97,20 +95,20 @@ fn horizon_params(plan: &Plan, field: &HeightField) -> HorizonParams {
     }
 }
 
-fn provenance<W>(
+fn provenance(
     plan: &Plan,
-    input: crate::InputProvenance,
+    input: InputProvenance,
     horizon: Option<HorizonProvenance>,
     done: Option<DirectionsDone>,
-    sink: &Sink<W>,
+    written: &[WrittenTable],
 ) -> Provenance {
-    let tables: Vec<_> = sink.written.iter().map(|written| written.table).collect();
+    let tables: Vec<_> = written.iter().map(|written| written.table).collect();
     let points = done.and_then(|done| done.points);
     Provenance {
         horizon,
         swept: points.map(SweptProvenance::new),
         sky: tables.iter().any(|table| table.is_of_the_sky()).then(SkyProvenance::new),
-        encodings: sink.written.iter().map(EncodingProvenance::new).collect(),
+        encodings: written.iter().map(EncodingProvenance::new).collect(),
         ..Provenance::of_recipe(&plan.recipe, input, &tables)
     }
 }

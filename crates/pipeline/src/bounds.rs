@@ -12,16 +12,11 @@ use std::ops::RangeInclusive;
 use barchan_asset::{MAX_ELEVATION, f32_at_least, f32_at_most};
 use barchan_field::{Edge, HeightField};
 
-/// Bounds of every horizon elevation of a field in radians, within ±[`MAX_ELEVATION`].
-pub(crate) fn of_elevations(field: &HeightField, radius: f64) -> RangeInclusive<f32> {
-    of_bent_elevations(field, radius, 0.0)
-}
-
-/// Bounds of the elevations of points that are highest on relief bent by up to `bend` (in 1 / length unit, 0 or more)
-/// to the convex side: of height h(s) − bend · s². The point at the radius is bent most, so another may stand lower by as much.
-pub(crate) fn of_bent_elevations(field: &HeightField, radius: f64, bend: f64) -> RangeInclusive<f32> {
+/// Bounds of the elevations, in radians within ±[`MAX_ELEVATION`], of points that are highest on relief bent by up to
+/// `bend` to the convex side: of height h(s) − bend · s², in 1 / length unit; 0 for the horizon itself. The point at the
+/// radius is bent most, so another may stand lower by as much. `steepest` is [`steepest_slope`] of the field.
+pub(crate) fn of_elevations(field: &HeightField, steepest: f64, radius: f64, bend: f64) -> RangeInclusive<f32> {
     let (lowest, highest) = field.range();
-    let steepest = steepest_slope(field);
     let lowest_slope = ((f64::from(lowest) - f64::from(highest)) / radius - bend * radius).max(-steepest);
     let above = |slope: f64| f32_at_least(libm::atan(slope)).next_up().min(MAX_ELEVATION);
     -above(-lowest_slope)..=above(steepest)
@@ -41,7 +36,7 @@ pub(crate) fn cut(values: &mut [f32], bounds: &RangeInclusive<f32>) {
 
 /// The steepest slope of the bilinear surface in any direction, beyond the edge too. In a cell each component of the
 /// gradient is interpolated along the other axis, so the gradient is longest at one of the corners.
-fn steepest_slope(field: &HeightField) -> f64 {
+pub(crate) fn steepest_slope(field: &HeightField) -> f64 {
     let grid = field.grid();
     let (width, height) = (grid.width as usize, grid.height as usize);
     let (per_u, per_v) = (1.0 / grid.spacing.u(), 1.0 / grid.spacing.v());
@@ -78,6 +73,10 @@ mod tests {
 
     use super::*;
 
+    fn horizon_bounds(field: &HeightField, radius: f64) -> RangeInclusive<f32> {
+        of_elevations(field, steepest_slope(field), radius, 0.0)
+    }
+
     fn scramble(index: u64) -> u64 {
         crate::accuracy::scramble(index)
     }
@@ -103,7 +102,7 @@ mod tests {
     #[test]
     fn every_exact_horizon_lies_within() {
         for (field, radius) in fields() {
-            let bounds = of_elevations(&field, radius);
+            let bounds = horizon_bounds(&field, radius);
             for (k, row) in (0..7).flat_map(|k| (0..field.grid().height).map(move |row| (k, row))) {
                 for column in 0..field.grid().width {
                     let elevation = reference::horizon(&field, &params(radius), k, column, row).elevation_radians();
@@ -121,7 +120,7 @@ mod tests {
                 let params = HorizonParams { distance: true, method, ..params(radius) };
                 let map = horizon::bake(&field, &params, &exec).unwrap();
                 let mut cut_map = map.elevation_radians.clone();
-                cut(&mut cut_map, &of_elevations(&field, radius));
+                cut(&mut cut_map, &horizon_bounds(&field, radius));
                 let moved = map.elevation_radians.iter().zip(&cut_map).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
                 assert!(moved < 2e-6, "{moved} {method:?} {:?}", field.grid());
                 assert!(map.distance.unwrap().iter().all(|distance| of_distances(radius).contains(distance)));
@@ -134,7 +133,7 @@ mod tests {
         let exec = Exec::new(1).unwrap();
         for (field, radius) in fields() {
             for bend in [-0.5 / radius, 0.0, 0.1 / radius, 2.0 / radius] {
-                let bounds = of_bent_elevations(&field, radius, bend.max(0.0));
+                let bounds = of_elevations(&field, steepest_slope(&field), radius, bend.max(0.0));
                 let mut layer = BentLayer::new(&field).unwrap();
                 horizon::bake_bent(&field, &params(radius), 3, bend, &exec, &mut layer).unwrap();
                 for slope in layer.slope {
@@ -153,7 +152,7 @@ mod tests {
         assert_eq!(steepest_slope(&HeightField::new(grid, plane).unwrap()), 5.0);
         let mut spike = vec![0.0; 63];
         spike[30] = 10.0;
-        let bounds = of_elevations(&HeightField::new(grid, spike).unwrap(), 1000.0);
+        let bounds = horizon_bounds(&HeightField::new(grid, spike).unwrap(), 1000.0);
         assert!(*bounds.start() > -0.01001 && *bounds.end() > 1.4, "{bounds:?}");
     }
 }

@@ -11,11 +11,12 @@ use barchan_asset::{
 use crate::clock::Clock;
 use crate::{PipelineError, Table, TableEncoding};
 
-/// The file being written, and what is known of the tables it has.
-pub(crate) struct Sink<W> {
+/// The file being written, what is known of the tables it has, and the time that goes into it.
+pub(crate) struct Sink<'a, W> {
     pub(crate) stream: AssetStream<W>,
-    pub(crate) codec: Codec,
+    pub(crate) clock: Clock<'a>,
     pub(crate) written: Vec<WrittenTable>,
+    codec: Codec,
 }
 
 /// A table that is in the file.
@@ -39,20 +40,19 @@ fn refused(table: Table) -> impl Fn(EncodeError) -> PipelineError {
     move |error| PipelineError::Encode { table: table.name(), error }
 }
 
-impl<W: Read + Write + Seek> Sink<W> {
-    pub(crate) fn new(out: W, codec: Codec) -> Self {
-        Self { stream: AssetStream::new(out), codec, written: Vec::new() }
+impl<'a, W: Read + Write + Seek> Sink<'a, W> {
+    pub(crate) fn new(out: W, codec: Codec, clock: Clock<'a>) -> Self {
+        Self { stream: AssetStream::new(out), clock, written: Vec::new(), codec }
     }
 
     /// Writes a table that is there as a whole: `encode` gives its stored form.
     pub(crate) fn whole(
         &mut self,
         table: Table,
-        clock: &mut Clock<'_>,
         encode: impl FnOnce() -> Result<TextureTable, EncodeError>,
     ) -> Result<(), PipelineError> {
-        let encoded = clock.time("encode", encode).map_err(refused(table))?;
-        clock.time("write", || self.stream.add_table(&encoded, self.codec).map(|_| ()))?;
+        let encoded = self.clock.time("encode", encode).map_err(refused(table))?;
+        self.clock.time("write", || self.stream.add_table(&encoded, self.codec).map(|_| ()))?;
         let loss = encoded.loss().unwrap_or_default();
         self.written.push(WrittenTable { table, descriptor: *encoded.descriptor(), loss });
         Ok(())
@@ -72,27 +72,21 @@ impl<W: Read + Write + Seek> Sink<W> {
     }
 
     /// Encodes and writes a layer.
-    pub(crate) fn layer(
-        &mut self,
-        open: &mut OpenTable,
-        layer: u32,
-        values: &[f32],
-        clock: &mut Clock<'_>,
-    ) -> Result<(), PipelineError> {
+    pub(crate) fn layer(&mut self, open: &mut OpenTable, layer: u32, values: &[f32]) -> Result<(), PipelineError> {
         open.bytes.clear();
         let encode = || {
             let measure = open.encoder.encode(values, &mut open.bytes)?;
             open.encoder.record(layer, measure)
         };
-        clock.time("encode", encode).map_err(refused(open.table))?;
-        clock.time("write", || self.stream.layer(open.table.kind(), layer, &open.bytes))?;
+        self.clock.time("encode", encode).map_err(refused(open.table))?;
+        self.clock.time("write", || self.stream.layer(open.table.kind(), layer, &open.bytes))?;
         Ok(())
     }
 
     /// Closes a table that has all its layers.
-    pub(crate) fn close(&mut self, open: OpenTable, clock: &mut Clock<'_>) -> Result<(), PipelineError> {
+    pub(crate) fn close(&mut self, open: OpenTable) -> Result<(), PipelineError> {
         let (descriptor, loss) = open.encoder.finish().map_err(refused(open.table))?;
-        clock.time("write", || self.stream.close_table(&descriptor))?;
+        self.clock.time("write", || self.stream.close_table(&descriptor))?;
         self.written.push(WrittenTable { table: open.table, descriptor, loss });
         Ok(())
     }
