@@ -200,9 +200,10 @@ pub(crate) struct CompareArguments {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   barchan render dunes.barchan -o dunes.png
-  barchan render dunes.barchan --azimuth 135 --elevation 10 --compare -o check.png")]
+  barchan render dunes.barchan --azimuth 135 --elevation 10 --compare -o check.png
+  barchan render dunes.barchan --ambient -o overcast.png")]
 pub(crate) struct RenderArguments {
-    /// The .barchan file; it needs the height and horizon tables
+    /// The .barchan file; it needs the height table, and that of the horizon or, with --ambient, of the sky
     pub(crate) file: PathBuf,
     /// Where to write the PNG
     #[arg(short, long, value_name = "FILE")]
@@ -219,6 +220,9 @@ pub(crate) struct RenderArguments {
     /// Put a ray-traced shadow and the difference beside it: red is too dark, blue too light
     #[arg(long)]
     pub(crate) compare: bool,
+    /// Light it by an overcast sky instead of a sun; the file needs sky_visibility, and uses bent_normal
+    #[arg(long, conflicts_with_all = ["azimuth", "elevation", "compare"])]
+    pub(crate) ambient: bool,
 }
 
 /// A parser of words from a fixed list.
