@@ -28,6 +28,7 @@ pub(crate) struct Octant {
     pub(crate) majors: usize,
     /// Texels along the minor axis.
     pub(crate) minors: usize,
+    along_rows: bool,
     origin: isize,
     major_stride: isize,
     minor_stride: isize,
@@ -38,12 +39,14 @@ impl Octant {
         let (width, height) = (grid.width as usize, grid.height as usize);
         let columns = Axis { texels: width, stride: 1, speed: step.columns };
         let rows = Axis { texels: height, stride: width as isize, speed: step.rows };
-        let (major, minor) = if columns.speed.abs() >= rows.speed.abs() { (columns, rows) } else { (rows, columns) };
+        let along_rows = columns.speed.abs() >= rows.speed.abs();
+        let (major, minor) = if along_rows { (columns, rows) } else { (rows, columns) };
         Self {
             tilt: (minor.speed / major.speed).abs(),
             length_per_major: 1.0 / major.speed.abs(),
             majors: major.texels,
             minors: minor.texels,
+            along_rows,
             origin: major.origin() + minor.origin(),
             major_stride: major.directed_stride(),
             minor_stride: minor.directed_stride(),
@@ -52,7 +55,7 @@ impl Octant {
 
     /// Whether the major axis runs along the picture's rows.
     pub(crate) fn runs_along_rows(&self) -> bool {
-        self.major_stride.abs() < self.minor_stride.abs() || self.minors == 1
+        self.along_rows
     }
 
     /// Where texel `(major, minor)` lies in the field's row-by-row order.

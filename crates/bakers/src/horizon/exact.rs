@@ -5,11 +5,12 @@
 //! ceilings, each level four times as coarse, lets a ray pass over all that cannot be higher in strides that grow with the
 //! distance, and look, in f64 and as the [reference](mod@super::reference) looks, at the few blocks that can.
 
-use super::HorizonPoint;
 use super::direction::Octant;
 use super::far::Scene;
 use super::lines::{LINES, MARGIN, STRIDE};
 use super::sheared::{ResultTile, TILE};
+use super::sweep::near_end;
+use super::{HorizonPoint, Method};
 
 /// Nodes under a node.
 const BRANCHES: usize = 4;
@@ -137,16 +138,21 @@ impl ExactRay<'_> {
         }
         let last = ((self.column as f64 + radius) as usize).min(self.last_column);
         let seen = (self.column + seen_at).min(last);
+        // A point on a column belongs to the piece of ray that ends there.
+        if seen > self.column {
+            self.cross_column(seen - 1, eye, &mut best);
+        }
         self.cross_column(seen, eye, &mut best);
-        self.climb(last, seen, eye, &mut best);
+        self.climb(near_end(self.column, Method::Exact), last, seen, eye, &mut best);
         best
     }
 
-    /// Passes over what is too low, looks at what may be higher.
+    /// Passes over what is too low, looks at what may be higher, from `first` on: in all nearer columns the sweep has seen
+    /// the highest point to the rounding of f32.
     #[inline]
-    fn climb(&self, last: usize, done: usize, eye: f64, best: &mut HorizonPoint) {
+    fn climb(&self, first: usize, last: usize, done: usize, eye: f64, best: &mut HorizonPoint) {
         let levels = &self.ceilings.levels;
-        let mut column = self.column;
+        let mut column = first;
         let (mut level, mut size) = (0, 1);
         while column <= last {
             while level + 1 < levels.len() && column.is_multiple_of(size * BRANCHES) {
@@ -173,8 +179,7 @@ impl ExactRay<'_> {
     fn may_be_higher(&self, rise: f64, column: usize, columns: usize, slope: f64) -> bool {
         let near = column as f64 - self.column as f64;
         let far = near + columns as f64;
-        // A node that begins before the texel reaches up to it.
-        rise > (slope * near.max(0.0)).min(slope * far)
+        rise > (slope * near).min(slope * far)
     }
 
     /// The one or two pieces of the ray between a column and the next, cut at the radius.

@@ -199,6 +199,53 @@ impl Scene<'_> {
             let slope = (lower_rise + (vector(next[step]) - lower) * along) / distance - distance * self.bend;
             best.raise_these(along.simd_lt(one) & distance.simd_le(radius), slope, distance);
         }
+        if self.rows_lie_far_apart() {
+            let eyes: [f32; LANES] = eye.into();
+            let (mut slopes, mut distances) = ([0.0; LANES], [0.0; LANES]);
+            for l in 0..LANES {
+                let column = seen[l] / BLOCK * BLOCK;
+                (slopes[l], distances[l]) = self.row_crossings(from, lane + l, eyes[l], (column, column + BLOCK - 1));
+            }
+            best.raise(vector(slopes), vector(distances));
+        }
+    }
+
+    /// Whether a ray may cross a block without crossing a row.
+    fn rows_lie_far_apart(&self) -> bool {
+        let tilt = self.lines.octant.tilt;
+        tilt > 0.0 && tilt * BLOCK as f64 <= 1.0
+    }
+
+    /// Where one texel's ray crosses the row before a column, and the row behind another: at a slight tilt many columns
+    /// away, and a wall along the ray is highest there.
+    fn row_crossings(&self, from: usize, line: usize, eye: f32, (first, last): (usize, usize)) -> (f32, f32) {
+        let tilt = self.lines.octant.tilt as f32;
+        let crossing = |column: usize| self.lines.offset[from] - self.lines.offset[column];
+        let row = |column: usize, below: i64| {
+            let nearer = floor_within_one(crossing(column)) as i64;
+            i64::from(self.lines.drop[column]) + nearer + below
+        };
+        let down = |column: usize| crossing(column) - floor_within_one(crossing(column));
+        let mut best = (f32::NEG_INFINITY, 0.0);
+        for (ahead, row) in [
+            ((first - from) as f32 - down(first) / tilt, row(first, 0)),
+            ((last - from) as f32 + (1.0 - down(last)) / tilt, row(last, 1)),
+        ] {
+            let column = from + ahead.max(0.0) as usize;
+            if ahead >= 1.0 && ahead <= self.lines.radius as f32 && (column + 2) * STRIDE <= self.heights.len() {
+                let height = |column: usize| {
+                    let place = (column * STRIDE + MARGIN + line) as i64 + row - i64::from(self.lines.drop[column]);
+                    self.heights[place as usize]
+                };
+                let (near, far) = (height(column), height(column + 1));
+                let rise = (near - eye) + (far - near) * (ahead - (column - from) as f32);
+                let slope = rise / ahead - ahead * self.bend;
+                if slope >= best.0 {
+                    best = (slope, ahead);
+                }
+            }
+        }
+        best
     }
 
     /// Follows the rays of those texels for which the ceiling's tangent is above all that was found, in a block that the
@@ -212,6 +259,7 @@ impl Scene<'_> {
         eye: f32x16<S>,
         part: Option<Part<'_, S>>,
         line: &Seen,
+        every: usize,
         best: &mut Best<S, DISTANCE>,
     ) {
         let Some(part) = part else { return };
@@ -230,7 +278,7 @@ impl Scene<'_> {
             let l = above.trailing_zeros() as usize % LANES;
             above &= above - 1;
             let block = (column + ahead[l] as usize) / BLOCK;
-            if line.from != column || line.columns[l] / BLOCK != block {
+            if line.from / every != column / every || line.columns[l] / BLOCK != block {
                 let found = self.follow_one(column, lane + l, eyes[l], block * BLOCK);
                 if found.0 > slopes[l] || (found.0 == slopes[l] && found.1 > distances[l]) {
                     (slopes[l], distances[l]) = found;
@@ -264,6 +312,12 @@ impl Scene<'_> {
                 let drop = (self.lines.drop[column + 1] - self.lines.drop[column]) as usize;
                 let next = self.heights[place + 1 + STRIDE - drop];
                 raise((lower - eye) + (next - lower) * along, distance + along);
+            }
+        }
+        if self.rows_lie_far_apart() {
+            let rows = self.row_crossings(from, line, eye, (first, first + BLOCK - 1));
+            if rows.0 > best.0 {
+                best = rows;
             }
         }
         best
@@ -319,6 +373,14 @@ impl Scene<'_> {
             let slope = rise * (1.0 / knot.distance) - self.bend * knot.distance;
             best.raise(slope, f32x16::splat(simd, knot.distance));
         }
+        if let Some(level) = end.level.filter(|_| self.bend > 0.0) {
+            // Level ground under a parabola is highest where it touches the sight line: at s² = −z/λ.
+            let splat = |value: f32| f32x16::splat(simd, value);
+            let rise = self.load(simd, level.place + lane) - eye;
+            let touching = (rise * (-1.0 / self.bend)).max(splat(0.0)).sqrt();
+            let distance = touching.max(splat(level.distance)).min(splat(self.lines.radius as f32));
+            best.raise(rise / distance - distance * self.bend, distance);
+        }
     }
 }
 
@@ -326,6 +388,8 @@ impl Scene<'_> {
 pub(crate) struct RayEnd {
     knots: [EndKnot; BLOCK + 1],
     count: usize,
+    /// Where a clamped field's last known column stands for all beyond.
+    level: Option<EndKnot>,
 }
 
 #[derive(Clone, Copy, Default)]
@@ -340,7 +404,7 @@ struct EndKnot {
 impl RayEnd {
     /// The columns from `after` on that lie within the radius of `from`, and the radius.
     pub(crate) fn new(lines: &Lines, from: usize, after: Option<usize>, columns_in_sight: usize) -> Self {
-        let mut end = Self { knots: [EndKnot::default(); BLOCK + 1], count: 0 };
+        let mut end = Self { knots: [EndKnot::default(); BLOCK + 1], count: 0, level: None };
         // Where a clamped field is level for good, its last column stands for all beyond.
         let known = |column: usize| column.min(columns_in_sight - 2);
         let last = from + lines.radius as usize;
@@ -348,6 +412,11 @@ impl RayEnd {
             for column in after..=last.min(after + BLOCK - 1) {
                 end.add(lines, from, known(column), 0.0, (column - from) as f32);
             }
+        }
+        if known(last) < last {
+            let distance = (known(last) - from) as f32;
+            let place = known(last) * STRIDE + MARGIN;
+            end.level = Some(EndKnot { place, distance, ..EndKnot::default() });
         }
         let beyond = (lines.radius - lines.radius.floor()) as f32;
         end.add(lines, from, known(last), beyond, lines.radius as f32);

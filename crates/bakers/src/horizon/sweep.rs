@@ -37,6 +37,15 @@ impl Effort {
             Method::Accurate | Method::Exact => Self { near: 8, exact: usize::MAX, every: 1, thorough: true },
         }
     }
+
+    fn first_far_block(self, column: usize) -> usize {
+        column / BLOCK + self.near / BLOCK + 1
+    }
+}
+
+/// The column before which all of a column's rays were looked at without asking the hulls.
+pub(crate) fn near_end(column: usize, method: Method) -> usize {
+    Effort::of(method).first_far_block(column) * BLOCK
 }
 
 /// Buffers of one thread, kept from block to block.
@@ -166,7 +175,7 @@ impl Job<'_> {
                 scene.consider(simd, column, lane, eye, line_part, seen, look, &mut best);
                 if THOROUGH {
                     let ceiling_part = if farther { ceiling.farther(simd) } else { ceiling.nearer(simd) };
-                    scene.consider_ceiling(simd, column, lane, eye, ceiling_part, seen, &mut best);
+                    scene.consider_ceiling(simd, column, lane, eye, ceiling_part, seen, sight.every, &mut best);
                 }
             }
         }
@@ -211,7 +220,7 @@ struct Sight {
 impl Sight {
     fn new(sweep: &Job<'_>, column: usize, effort: Effort) -> Self {
         let lines = sweep.scene.lines;
-        let first = column / BLOCK + effort.near / BLOCK + 1;
+        let first = effort.first_far_block(column);
         let near = first * BLOCK - column;
         let exact = effort.exact.min(near);
         let in_reach = (column + lines.radius as usize + 1) / BLOCK;
