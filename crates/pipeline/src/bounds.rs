@@ -18,7 +18,11 @@ use barchan_field::{Edge, HeightField};
 pub(crate) fn of_elevations(field: &HeightField, steepest: f64, radius: f64, bend: f64) -> RangeInclusive<f32> {
     let (lowest, highest) = field.range();
     let lowest_slope = ((f64::from(lowest) - f64::from(highest)) / radius - bend * radius).max(-steepest);
-    let above = |slope: f64| f32_at_least(libm::atan(slope)).next_up().min(MAX_ELEVATION);
+    // A hair wider than the arctangent may be off; but level is level, which costs an encoder nothing.
+    let above = |slope: f64| match slope > 0.0 {
+        true => f32_at_least(libm::atan(slope)).next_up().min(MAX_ELEVATION),
+        false => 0.0,
+    };
     -above(-lowest_slope)..=above(steepest)
 }
 
@@ -150,6 +154,7 @@ mod tests {
         let grid = Grid { width: 9, height: 7, spacing: Spacing::UNIT, unit: LengthUnit::Metre, edge: Edge::Clamp };
         let plane = (0..63).map(|index| (3 * (index % 9) + 4 * (index / 9)) as f32).collect();
         assert_eq!(steepest_slope(&HeightField::new(grid, plane).unwrap()), 5.0);
+        assert_eq!(horizon_bounds(&HeightField::new(grid, vec![3.5; 63]).unwrap(), 10.0), 0.0..=0.0);
         let mut spike = vec![0.0; 63];
         spike[30] = 10.0;
         let bounds = horizon_bounds(&HeightField::new(grid, spike).unwrap(), 1000.0);

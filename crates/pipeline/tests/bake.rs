@@ -453,3 +453,22 @@ fn what_a_table_needs_and_the_recipe_does_not_say_is_asked_for() {
     let many = |recipe: &mut Recipe| (recipe.scene, recipe.curved.points) = (curvature((0.0, 0.1)), Some(9));
     assert_eq!(says(&many, None), "curved: points is 9; 1 to 8 points are accepted");
 }
+
+#[test]
+fn level_ground_is_stored_exactly_in_any_encoding() {
+    for encoding in [TableEncoding::F32, TableEncoding::F16, TableEncoding::U8, TableEncoding::Compact] {
+        let mut recipe = curved_recipe();
+        let level = Shape::Plane(barchan_field::shapes::Plane { slope_u: 0.0, slope_v: 0.0 });
+        recipe.source = Source::Shape(ShapeSource { shape: level, width: 12, height: 9 });
+        (recipe.horizon.encoding, recipe.curved.encoding, recipe.sky.encoding) = (encoding, encoding, encoding);
+        let Baked { bytes, report } = baked(recipe, Some(&Table::ALL));
+        assert_eq!(validate(&bytes, &Limits::default()), []);
+        for table in report.tables.iter().filter(|table| ["horizon", "sky_visibility"].contains(&table.table)) {
+            assert_eq!(table.encoding_max, 0.0, "{table:?}");
+        }
+        let asset = Asset::open(&bytes).unwrap();
+        let range = |table: Table| asset.section(table.kind()).unwrap().texture().map(|t| (t.range_min, t.range_max));
+        assert_eq!(range(Table::Horizon), Ok((0.0, 0.0)));
+        assert_eq!(range(Table::SkyVisibility), Ok((1.0, 1.0)));
+    }
+}
