@@ -27,6 +27,10 @@ fn an_unknown_field_names_the_nearest_known_one() {
         ("edge: warp,", "3:7: unknown value `warp`; did you mean `wrap`?"),
         ("unit: meter,", "3:7: unknown value `meter`; did you mean `metre`?"),
         ("distance: (encoding: f8),", "3:22: unknown value `f8`; did you mean `u8`?"),
+        ("horizon: (method: exakt),", "3:19: unknown value `exakt`; did you mean `exact`?"),
+        ("scene: (ambient_ligt: true),", "3:9: unknown field `ambient_ligt`; did you mean `ambient_light`?"),
+        ("curved: (point: 3),", "3:10: unknown field `point`; did you mean `points`?"),
+        ("sky: (encoding: compct),", "3:17: unknown value `compct`; did you mean `compact`?"),
         ("compression: zst,", "3:14: unknown value `zst`; did you mean `zstd`?"),
     ] {
         let found = complaint(&with(fields));
@@ -39,7 +43,7 @@ fn an_unknown_field_names_the_nearest_known_one() {
 fn a_field_near_to_nothing_is_shown_what_there_is() {
     assert_eq!(
         complaint(&with("scene: (zzz: true),")),
-        "3:9: unknown field `zzz` (accepted: `curved_surfaces`, `soft_shadows`)"
+        "3:9: unknown field `zzz` (accepted: `curved_surfaces`, `curvature`, `soft_shadows`, `ambient_light`, `area_lights`)"
     );
 }
 
@@ -70,6 +74,8 @@ fn a_value_of_the_wrong_type_is_named_with_its_field() {
         ),
         ("horizon: (radius: far),", "`horizon.radius` is `far`; a number is needed"),
         ("scene: (soft_shadows: 1),", "`scene.soft_shadows` is `1`; true or false is needed"),
+        ("horizon: (arc: 90),", "`horizon.arc` is `90`; a pair of numbers in parentheses is needed"),
+        ("scene: (curvature: 0.1),", "`scene.curvature` is `0.1`; a pair of numbers in parentheses is needed"),
         ("edge: \"wrap\",", "`edge` is `\"wrap\"`; a name without quotes is needed"),
         ("height: 3,", "`height` is `3`; a list of fields in parentheses is needed"),
         (
@@ -111,6 +117,50 @@ fn a_number_out_of_range_is_named_with_what_is_accepted() {
         ("spacing: (1.0, -2.0),", format!(" spacing v is -2; a positive, finite length per texel {spacing}")),
         ("horizon: (directions: 0),", " horizon: directions is 0; 1 to 2048 azimuths are accepted".into()),
         ("horizon: (directions: 2049),", " horizon: directions is 2049; 1 to 2048 azimuths are accepted".into()),
+    ] {
+        assert_eq!(complaint(&with(fields)), expected);
+    }
+    let arc = "degrees from within ±360 to a larger number, less than 360 beyond, are accepted";
+    let range = "two finite numbers, the smaller first, are accepted";
+    let hollow = "a concave radius of more than 1/π of the search radius is accepted: half round a hollow is behind";
+    for (fields, expected) in [
+        ("horizon: (arc: (90, 0)),", format!(" horizon: arc is 90 to 0; {arc}")),
+        ("horizon: (arc: (0, 360)),", format!(" horizon: arc is 0 to 360; {arc}")),
+        ("horizon: (arc: (-400, -300)),", format!(" horizon: arc is -400 to -300; {arc}")),
+        ("horizon: (arc: (0, NaN)),", format!(" horizon: arc is 0 to NaN; {arc}")),
+        (
+            "horizon: (arc: (0, 90), directions: 1),",
+            " horizon: directions is 1; 2 to 2048 azimuths are accepted in an arc, which bakes both its ends".into(),
+        ),
+        (
+            "horizon: (directions: 2), scene: (ambient_light: true),",
+            " horizon: directions is 2; 3 to 2048 azimuths are accepted where a sky is baked".into(),
+        ),
+        (
+            "horizon: (arc: (0, 90)), scene: (area_lights: true),",
+            " horizon: arc is 0 to 90; the sky is all around a texel: only the full circle of azimuths is accepted where it \
+             is baked"
+                .into(),
+        ),
+        ("scene: (curvature: (1, 0)),", format!(" curved: curvature is 1 to 0; {range}")),
+        ("scene: (curvature: (0, inf)),", format!(" curved: curvature is 0 to inf; {range}")),
+        ("scene: (curvature: (-1, 0)),", format!(" curved: curvature is -1 to 0; {hollow}")),
+        (
+            "scene: (curvature: (0, 2)),",
+            " curved: curvature is 0 to 2; a radius of curvature of at least one texel is accepted".into(),
+        ),
+        (
+            "scene: (curvature: (0, 0.1)), curved: (points: 9),",
+            " curved: points is 9; 1 to 8 points are accepted".into(),
+        ),
+        (
+            "scene: (curvature: (0, 0.1)), curved: (max_error_degrees: 0),",
+            " curved: max_error_degrees is 0; a positive number of degrees is accepted".into(),
+        ),
+        (
+            "curved: (points: 2, max_error_degrees: 1),",
+            " curved: `points` and `max_error_degrees` are both there; one of them is accepted".into(),
+        ),
     ] {
         assert_eq!(complaint(&with(fields)), expected);
     }

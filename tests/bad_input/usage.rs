@@ -58,6 +58,8 @@ fn unknown_words_are_usage_errors() {
 #[test]
 fn a_flag_names_its_value_and_what_would_be_accepted() {
     let place = Place::with("map.npy", npy(4, &bumpy(4, 4)));
+    let tables = "height, horizon, distance, swept_horizon, swept_distance, sky_visibility, bent_normal, aperture_cone";
+    let arc = "accepted: degrees from within ±360 to a larger number, less than 360 beyond";
     let length = "spacing u is 0; a positive, finite length per texel is needed";
     for (flag, error) in [
         ("--directions 0", "'0' for '--directions <N>': 0 is not in 1..=2048"),
@@ -76,8 +78,14 @@ fn a_flag_names_its_value_and_what_would_be_accepted() {
         ("--radius 0", "'0' for '--radius <LENGTH>': accepted: a positive number"),
         ("--radius -3", "'-3' for '--radius <LENGTH>': accepted: a positive number"),
         ("--height-scale inf", "'inf' for '--height-scale <LENGTH>': accepted: a finite number"),
-        ("--encoding f64", "'f64' for '--encoding <ENCODING>': accepted: f32, f16, u8"),
-        ("--only heat", "'heat' for '--only <TABLE,..>': accepted: height, horizon, distance"),
+        ("--encoding f64", "'f64' for '--encoding <ENCODING>': accepted: f32, f16, u8, compact"),
+        ("--only heat", &format!("'heat' for '--only <TABLE,..>': accepted: {tables}")),
+        ("--method best", "'best' for '--method <METHOD>': accepted: sweep, accurate, exact"),
+        ("--arc 90", &format!("'90' for '--arc <FIRST,LAST>': {arc}")),
+        ("--arc 90,0", &format!("'90,0' for '--arc <FIRST,LAST>': {arc}")),
+        ("--arc 0,360", &format!("'0,360' for '--arc <FIRST,LAST>': {arc}")),
+        ("--arc -361,0", &format!("'-361,0' for '--arc <FIRST,LAST>': {arc}")),
+        ("--arc 0,east", &format!("'0,east' for '--arc <FIRST,LAST>': {arc}")),
         ("-j -1", "unexpected argument '-1' found"),
         ("-j 1025", "'1025' for '--jobs <N>': accepted: 0 to 1024"),
     ] {
@@ -98,6 +106,8 @@ fn flags_of_height_maps_are_refused_beside_a_recipe() {
         "--height-scale 2",
         "--height-offset 2",
         "--radius 2",
+        "--arc 0,90",
+        "--method exact",
         "--encoding u8",
         "--compression zstd",
         "--channel R",
@@ -110,6 +120,23 @@ fn flags_of_height_maps_are_refused_beside_a_recipe() {
             format!("{name} is for a height map without a recipe; set it in r.ron")
         );
     }
+}
+
+#[test]
+fn a_table_that_flags_cannot_describe_needs_a_recipe() {
+    let place = Place::with("map.npy", npy(4, &bumpy(4, 4)));
+    for table in ["swept_horizon", "swept_distance"] {
+        assert_eq!(
+            place.fails(1, &format!("bake map.npy --only height,{table}")),
+            format!("map.npy: {table} needs a recipe that names `scene: (curvature: (min, max))`")
+        );
+    }
+    place.write("r.ron", RECIPE);
+    assert_eq!(
+        place.fails(2, "bake r.ron --only swept_horizon"),
+        "r.ron: scene: `curvature` is missing; swept_horizon needs a range, such as `curvature: (0.0, 0.02)`"
+    );
+    assert_eq!(place.names(), ["map.npy", "r.ron"]);
 }
 
 #[test]

@@ -20,7 +20,7 @@ fn a_file_is_the_same_as_itself() {
     let place = pair();
     assert_eq!(
         place.ok("compare a.barchan a.barchan"),
-        "height    RMS 0 units, at most 0 units\na.barchan and a.barchan: the same at tolerance 0\n"
+        "height         RMS 0 units, at most 0 units\na.barchan and a.barchan: the same at tolerance 0\n"
     );
 }
 
@@ -35,7 +35,7 @@ fn the_first_and_the_worst_difference_are_placed() {
     };
     let rms = ((0.25_f64.powi(2) + 0.5_f64.powi(2)) / 63.0).sqrt();
     let expected = format!(
-        "height    RMS {rms:.5} units, at most 0.5 units; first {}; worst {}\na.barchan and b.barchan: different at tolerance 0\n",
+        "height         RMS {rms:.5} units, at most 0.5 units; first {}; worst {}\na.barchan and b.barchan: different at tolerance 0\n",
         place(2, 5, 0.25),
         place(6, 1, -0.5)
     );
@@ -59,11 +59,15 @@ fn tables_that_cannot_be_compared_are_different() {
     place.ok("bake a.npy --encoding f32 --directions 4 -o more.barchan");
     let run = place.run("compare a.barchan more.barchan");
     assert_eq!(run.code, Some(3));
-    assert!(run.stdout.contains("\nhorizon   only more.barchan has it\n"), "{}", run.stdout);
+    assert!(run.stdout.contains("\nhorizon        only more.barchan has it\n"), "{}", run.stdout);
     place.ok("bake a.npy --encoding f32 --only height --spacing 2 -o wide.barchan");
     let run = place.run("compare a.barchan wide.barchan");
     assert_eq!(run.code, Some(3));
-    assert!(run.stdout.starts_with("height    spacing is 1 × 1 in one and 2 × 2 in the other\n"), "{}", run.stdout);
+    assert!(
+        run.stdout.starts_with("height         spacing is 1 × 1 in one and 2 × 2 in the other\n"),
+        "{}",
+        run.stdout
+    );
 }
 
 #[test]

@@ -195,7 +195,7 @@ fn png_is_a_contact_sheet_over_the_range_of_the_table() {
 fn a_packed_file_dumps_what_a_raw_one_does() {
     let place = baked("f16", 4);
     let raw = place.array("map.barchan", "horizon");
-    place.ok("bake map.npy --edge wrap --spacing 0.5,0.75 --radius 5 --directions 4 --compression zstd");
+    place.ok("bake map.npy --edge wrap --spacing 0.5,0.75 --radius 5 --directions 4 --encoding f16 --compression zstd");
     assert_eq!(place.array("map.barchan", "horizon"), raw);
 }
 
@@ -209,9 +209,86 @@ fn what_is_asked_for_must_be_there() {
     assert_eq!(place.fails(1, "dump map.barchan horizon --mip 1"), "map.barchan: --mip is 1; horizon has mips 0 to 0");
     assert_eq!(
         place.fails(1, "dump map.barchan"),
-        "map.barchan: the file has height, horizon and distance; name one of them"
+        "map.barchan: the file has height, horizon, distance, sky_visibility and bent_normal; name one of them"
     );
     let only_text = "-o is missing: only text and csv go to stdout, and not with --json";
     assert_eq!(place.fails(1, "dump map.barchan height --format npy"), only_text);
     assert_eq!(place.run("--json dump map.barchan height").message(), only_text);
+}
+
+/// Every table of a small curved scene, in `map.barchan`.
+fn every_table() -> Place {
+    let place = Place::with("map.npy", npy(WIDTH as usize, &noise(WIDTH as usize, HEIGHT as usize)));
+    place.write(
+        "map.ron",
+        "(source: HeightMap(path: \"map.npy\"), edge: wrap, horizon: (directions: 6, radius: 5.0, encoding: f32),
+        scene: (curvature: (0.0, 0.1), ambient_light: true, area_lights: true),
+        distance: (encoding: f32), curved: (points: 3, encoding: f32), sky: (encoding: f32))",
+    );
+    place.ok("bake map.ron");
+    place
+}
+
+#[test]
+fn further_points_have_an_axis_of_their_own_and_lie_below_the_horizon() {
+    let place = every_table();
+    let (slopes, further) = (place.array("map.barchan", "horizon"), place.array("map.barchan", "swept_horizon"));
+    assert_eq!(further.shape, [2, 6, HEIGHT.into(), WIDTH.into()]);
+    assert!(further.values.iter().zip(slopes.values.iter().cycle()).all(|(point, flat)| *point <= flat + 1e-4));
+    let distances = place.array("map.barchan", "swept_distance");
+    assert!(distances.values.iter().all(|distance| (0.0..=5.0).contains(distance)));
+    let csv = place.ok("dump map.barchan swept_horizon --layer 7 --format csv");
+    let lines: Vec<_> = csv.lines().take(2).collect();
+    assert_eq!(lines[0], "point,direction,azimuth_degrees,row,column,elevation_degrees,slope");
+    assert!(lines[1].starts_with("1,1,60,0,0,"), "{}", lines[1]);
+    let text = place.ok("dump map.barchan swept_distance --layer 7");
+    assert!(text.starts_with("# swept horizon distance in units, point 1, direction 1, azimuth 60°, 14 × 11\n"));
+}
+
+#[test]
+fn a_vector_is_three_numbers_and_a_colour() {
+    let place = every_table();
+    let bent = place.array("map.barchan", "bent_normal");
+    assert_eq!(bent.shape, [HEIGHT.into(), WIDTH.into(), 3]);
+    for normal in bent.values.chunks_exact(3) {
+        let length = normal.iter().map(|component| component * component).sum::<f32>();
+        assert!((length - 1.0).abs() < 1e-5 && normal[2] >= 0.0, "{normal:?}");
+    }
+    place.ok("dump map.barchan bent_normal --format png -o bent.png");
+    let picture = ImageReader::with_format(Cursor::new(place.read("bent.png")), ImageFormat::Png).decode().unwrap();
+    let picture = picture.as_rgb16().expect("16 bits of red, green and blue");
+    for (pixel, normal) in picture.pixels().zip(bent.values.chunks_exact(3)) {
+        for (sample, component) in pixel.0.iter().zip(normal) {
+            assert!((f32::from(*sample) / 32767.5 - 1.0 - component).abs() < 4e-5);
+        }
+    }
+    place.ok("dump map.barchan aperture_cone --format png -o cone.png");
+    let cone = ImageReader::with_format(Cursor::new(place.read("cone.png")), ImageFormat::Png).decode().unwrap();
+    assert!(cone.as_rgba16().is_some());
+    let csv = place.ok("dump map.barchan aperture_cone --format csv");
+    assert!(csv.starts_with("row,column,u,v,height,cosine_of_half_angle\n0,0,"));
+    assert!(
+        place.ok("dump map.barchan bent_normal").starts_with("# bent normal, u, v, height of each texel, 14 × 11\n")
+    );
+}
+
+#[test]
+fn a_share_of_the_sky_is_as_bright_as_it_is_large() {
+    let place = every_table();
+    let shares = place.array("map.barchan", "sky_visibility");
+    place.ok("dump map.barchan sky_visibility --format png -o sky.png");
+    let picture = ImageReader::with_format(Cursor::new(place.read("sky.png")), ImageFormat::Png).decode().unwrap();
+    for (pixel, share) in picture.as_luma16().unwrap().pixels().zip(&shares.values) {
+        assert!((f32::from(pixel.0[0]) / 65535.0 - share).abs() < 2e-5);
+    }
+}
+
+#[test]
+fn exr_has_a_channel_per_number() {
+    let place = every_table();
+    place.ok("dump map.barchan bent_normal --format exr -o bent.exr");
+    let image = exr::prelude::read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer();
+    let image = image.all_attributes().from_file(place.path("bent.exr")).unwrap();
+    let names: Vec<_> = image.layer_data.channel_data.list.iter().map(|channel| channel.name.to_string()).collect();
+    assert_eq!(names, ["bent_normal.height", "bent_normal.u", "bent_normal.v"]);
 }

@@ -107,8 +107,12 @@ fn the_defaults_are_sensible() {
     let place = Place::with("map.npy", npy(12, &bumpy(12, 10)));
     let report = place.json("bake map.npy");
     assert_eq!((&report["grid"]["edge"], &report["grid"]["unit"]), (&"clamp".into(), &"units".into()));
+    let tables: Vec<_> = report["tables"].as_array().unwrap().iter().map(|table| table["table"].as_str()).collect();
+    assert_eq!(tables, ["height", "horizon", "distance", "sky_visibility", "bent_normal"].map(Some));
+    assert_eq!(report["horizon"]["method"], "accurate");
+    assert_eq!(report["tables"][0]["format"], "R16_SFLOAT");
     let horizon = &report["tables"][1];
-    assert_eq!((&horizon["layers"], &horizon["format"]), (&32.into(), &"R16_SFLOAT".into()));
+    assert_eq!((&horizon["layers"], &horizon["format"]), (&32.into(), &"R8_UNORM".into()));
     // From anywhere on a clamped map everything is seen.
     let radius = report["horizon"]["radius"].as_f64().unwrap();
     assert_eq!(radius, 12_f64.hypot(10.0));
@@ -137,6 +141,13 @@ fn the_file_opens_without_any_of_the_tools() {
     let file = place.read("map.barchan");
     let asset = Asset::open(&file).unwrap();
     let kinds: Vec<_> = asset.sections().map(|section| section.kind()).collect();
-    let expected = [SectionKind::HEIGHT, SectionKind::HORIZON, SectionKind::DISTANCE, SectionKind::PROVENANCE];
+    let expected = [
+        SectionKind::HEIGHT,
+        SectionKind::HORIZON,
+        SectionKind::DISTANCE,
+        SectionKind::SKY_VISIBILITY,
+        SectionKind::BENT_NORMAL,
+        SectionKind::PROVENANCE,
+    ];
     assert_eq!(kinds, expected);
 }

@@ -97,3 +97,41 @@ fn a_picture_needs_heights_and_a_horizon() {
     );
     assert!(!place.names().contains(&"lit.png".to_owned()));
 }
+
+#[test]
+fn a_sun_outside_the_arc_is_refused_and_one_within_agrees_with_the_traced_one() {
+    let place = Place::new();
+    place.bake(&RIPPLES.replace("directions: 16", "directions: 9, arc: (-45, 135)"));
+    for azimuth in ["-45", "0", "135", "315"] {
+        let report = place.json(&format!("render out.barchan --azimuth {azimuth} --elevation 10 --compare -o lit.png"));
+        let wrong = report["comparison"]["wrong_share_at_texel_centres"].as_f64().unwrap();
+        assert!(wrong < 0.01, "{wrong} of the texels are wrong at azimuth {azimuth}");
+    }
+    assert_eq!(
+        place.fails(1, "render out.barchan --azimuth 200 -o other.png"),
+        "out.barchan: --azimuth is 200; its horizon is baked from -45° to 135°"
+    );
+}
+
+#[test]
+fn under_an_overcast_sky_a_hollow_is_darker_than_a_peak() {
+    let place = Place::new();
+    place.bake(&RIPPLES.replace("scene: ()", "scene: (ambient_light: true)"));
+    let report = place.json("render out.barchan --ambient -o overcast.png");
+    assert_eq!(report["schema"], "barchan.render_ambient/1");
+    let shares = place.array("out.barchan", "sky_visibility");
+    let mean = shares.values.iter().sum::<f32>() / shares.values.len() as f32;
+    assert!((report["mean_visibility"].as_f64().unwrap() - f64::from(mean)).abs() < 1e-3);
+    // Texels are two pixels wide.
+    let picture = rgb(&place.read("overcast.png"));
+    let brightness = |texel: usize| picture.get_pixel((texel % 80 * 2) as u32, (texel / 80) as u32).0[1];
+    let by_share = |a: &usize, b: &usize| shares.values[*a].total_cmp(&shares.values[*b]);
+    let (hollow, peak) = ((0..4800).min_by(by_share).unwrap(), (0..4800).max_by(by_share).unwrap());
+    assert!(brightness(hollow) + 40 < brightness(peak), "{} {}", brightness(hollow), brightness(peak));
+    place.bake(RIPPLES);
+    assert_eq!(
+        place.fails(2, "render out.barchan --ambient -o other.png"),
+        "out.barchan: there is no sky_visibility table; the file has height and horizon"
+    );
+    assert_eq!(place.run("render out.barchan --ambient --compare -o other.png").code, Some(1));
+}

@@ -8,7 +8,8 @@ fn follow(sample: &str) {
     let recipe = workspace("samples").join(sample).with_extension("ron");
     let report = place.json(&format!("bake {} -o baked.barchan", recipe.display()));
     let accuracy = &report["horizon"]["accuracy"];
-    assert!(accuracy["stored_rms_degrees"].as_f64().unwrap() < 0.1, "{accuracy}");
+    // Less than half of what the sun measures across.
+    assert!(accuracy["stored_rms_degrees"].as_f64().unwrap() < 0.2, "{accuracy}");
     assert!(report["mtexel_directions_per_second"].as_f64().unwrap() > 0.0);
 
     let findings = place.json("validate baked.barchan");

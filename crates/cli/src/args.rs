@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use barchan_field::{Edge, LengthUnit, Spacing};
 use barchan_import::{Fill, Integers};
-use barchan_pipeline::{Compression, Table, TableEncoding};
+use barchan_pipeline::{Compression, HorizonMethod, Table, TableEncoding};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// Bakes relief into tables that a shader can read.
@@ -54,7 +54,8 @@ pub(crate) struct FileArguments {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   barchan bake samples/dunes.ron
-  barchan bake rock.png --height-scale 12 --edge wrap --encoding u8 -o rock.barchan
+  barchan bake rock.png --height-scale 12 --edge wrap --method exact --encoding f16 -o rock.barchan
+  barchan bake rock.png --height-scale 12 --arc 180,360 --directions 17
   barchan bake elevation.tif --integers raw --spacing 74,93 --unit metre --radius 20000 --json")]
 pub(crate) struct BakeArguments {
     /// A recipe (.ron), or a height map (PNG, EXR, TIFF, NPY)
@@ -62,7 +63,8 @@ pub(crate) struct BakeArguments {
     /// Where to write [default: the input's name with .barchan, in this folder]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
-    /// Bake these tables and no others: height, horizon, distance
+    /// Bake these tables and no others: height, horizon, distance, swept_horizon, swept_distance, sky_visibility,
+    /// bent_normal, aperture_cone
     #[arg(long, value_name = "TABLE,..", value_delimiter = ',', value_parser = table)]
     pub(crate) only: Option<Vec<Table>>,
     /// Worker threads, at most 1024; 0 is one per core
@@ -79,6 +81,12 @@ pub(crate) struct HeightMapArguments {
     /// Azimuths to bake, the first along +u, counter-clockwise [default: 32]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(barchan_asset::MAX_LAYERS)))]
     pub(crate) directions: Option<u32>,
+    /// Bake azimuths from FIRST to LAST only, in degrees counter-clockwise from +u: where the sun never stands elsewhere
+    #[arg(long, value_name = "FIRST,LAST", allow_hyphen_values = true, value_parser = arc)]
+    pub(crate) arc: Option<(f64, f64)>,
+    /// How the horizon is found: sweep (fastest), accurate or exact [default: accurate]
+    #[arg(long, value_parser = method)]
+    pub(crate) method: Option<HorizonMethod>,
     /// What lies beyond the edge: wrap or clamp [default: clamp]
     #[arg(long, value_name = "EDGE", value_parser = edge)]
     pub(crate) edge: Option<Edge>,
@@ -100,7 +108,7 @@ pub(crate) struct HeightMapArguments {
     /// How far the horizon is searched [default: the diagonal; the longer side if the map wraps]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = positive)]
     pub(crate) radius: Option<f64>,
-    /// How horizon and distance are stored: f32, f16 or u8; heights are f16 at least [default: f16]
+    /// How tables are stored: f32, f16, u8 or compact; heights are f16 at least [default: compact]
     #[arg(long, value_parser = encoding)]
     pub(crate) encoding: Option<TableEncoding>,
     /// How sections are packed: none or zstd [default: none]
@@ -131,8 +139,9 @@ pub(crate) enum ProgressStyleName {
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Values: height and distance in the length unit, horizon as the slope (tangent of the elevation) \
-in npy, as degrees in text, as both in csv, as radians in exr, over the table's range in png.
+    after_help = "Values: heights and distances in the length unit, horizons as the slope (tangent of the elevation) \
+in npy, as degrees in text, as both in csv, as radians in exr, over the table's range in png; sky visibility from 0 to 1; bent \
+normal and aperture cone as u, v, height and cosine of the half-angle, in png as red, green, blue and alpha.
 
 Examples:
   barchan dump dunes.barchan horizon --format npy -o horizon.npy     float32 [directions, height, width]
@@ -143,7 +152,8 @@ Examples:
 pub(crate) struct DumpArguments {
     /// The .barchan file
     pub(crate) file: PathBuf,
-    /// height, horizon or distance; may be left out if the file has one table
+    /// height, horizon, distance, swept_horizon, swept_distance, sky_visibility, bent_normal or aperture_cone; may be left
+    /// out if the file has one table
     #[arg(value_parser = table)]
     pub(crate) table: Option<Table>,
     /// One layer (direction) only
@@ -167,9 +177,9 @@ pub(crate) enum DumpFormat {
     Csv,
     /// A float32 NumPy array
     Npy,
-    /// A grey picture, 16 bits; layers in a contact sheet
+    /// A picture of 16 bits, in colour for vectors; layers in a contact sheet
     Png,
-    /// Float channels, one per layer
+    /// Float channels, one per layer and number
     Exr,
 }
 
@@ -182,7 +192,7 @@ pub(crate) struct CompareArguments {
     pub(crate) a: PathBuf,
     /// The second
     pub(crate) b: PathBuf,
-    /// The difference to accept: degrees for the horizon, the length unit for heights and distances
+    /// The difference to accept: degrees for horizons, the length unit for heights and distances, plain numbers for the sky
     #[arg(long, value_name = "VALUE", default_value_t = 0.0, allow_hyphen_values = true, value_parser = not_negative)]
     pub(crate) tolerance: f64,
 }
@@ -190,9 +200,10 @@ pub(crate) struct CompareArguments {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   barchan render dunes.barchan -o dunes.png
-  barchan render dunes.barchan --azimuth 135 --elevation 10 --compare -o check.png")]
+  barchan render dunes.barchan --azimuth 135 --elevation 10 --compare -o check.png
+  barchan render dunes.barchan --ambient -o overcast.png")]
 pub(crate) struct RenderArguments {
-    /// The .barchan file; it needs the height and horizon tables
+    /// The .barchan file; it needs the height table, and that of the horizon or, with --ambient, of the sky
     pub(crate) file: PathBuf,
     /// Where to write the PNG
     #[arg(short, long, value_name = "FILE")]
@@ -209,6 +220,9 @@ pub(crate) struct RenderArguments {
     /// Put a ray-traced shadow and the difference beside it: red is too dark, blue too light
     #[arg(long)]
     pub(crate) compare: bool,
+    /// Light it by an overcast sky instead of a sun; the file needs sky_visibility, and uses bent_normal
+    #[arg(long, conflicts_with_all = ["azimuth", "elevation", "compare"])]
+    pub(crate) ambient: bool,
 }
 
 /// A parser of words from a fixed list.
@@ -244,7 +258,27 @@ fn integers(text: &str) -> Result<Integers, String> {
 }
 
 fn encoding(text: &str) -> Result<TableEncoding, String> {
-    word(text, &[("f32", TableEncoding::F32), ("f16", TableEncoding::F16), ("u8", TableEncoding::U8)])
+    let encodings = [
+        ("f32", TableEncoding::F32),
+        ("f16", TableEncoding::F16),
+        ("u8", TableEncoding::U8),
+        ("compact", TableEncoding::Compact),
+    ];
+    word(text, &encodings)
+}
+
+fn method(text: &str) -> Result<HorizonMethod, String> {
+    let methods =
+        [("sweep", HorizonMethod::Sweep), ("accurate", HorizonMethod::Accurate), ("exact", HorizonMethod::Exact)];
+    word(text, &methods)
+}
+
+fn arc(text: &str) -> Result<(f64, f64), String> {
+    let accepted = || "accepted: degrees from within ±360 to a larger number, less than 360 beyond".to_owned();
+    let (first, last) = text.split_once(',').ok_or_else(accepted)?;
+    let (first, last) = (finite(first).map_err(|_| accepted())?, finite(last).map_err(|_| accepted())?);
+    let is_arc = first.abs() <= 360.0 && last > first && last - first < 360.0;
+    if is_arc { Ok((first, last)) } else { Err(accepted()) }
 }
 
 fn compression(text: &str) -> Result<Compression, String> {

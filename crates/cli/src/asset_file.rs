@@ -87,9 +87,25 @@ impl DecodedTable<'_> {
         TableView::new(self.descriptor, &self.payload).expect("checked when it was decoded")
     }
 
-    /// The azimuth of a layer in degrees.
+    /// The azimuth of a layer in degrees; 0 where there is no direction.
     pub(crate) fn azimuth_degrees(&self, layer: u32) -> f64 {
-        (self.descriptor.first_azimuth + f64::from(layer) * self.descriptor.azimuth_step).to_degrees()
+        let radians = self.descriptor.azimuths().map_or(0.0, |azimuths| azimuths.radians(self.direction(layer)));
+        // As somebody wrote it, where it was written in degrees.
+        (radians.to_degrees() * 1e9).round() / 1e9
+    }
+
+    /// The direction of a layer, counted from 0.
+    pub(crate) fn direction(&self, layer: u32) -> u32 {
+        layer % self.directions()
+    }
+
+    /// The candidate of a layer of a swept table, counted from 0.
+    pub(crate) fn candidate(&self, layer: u32) -> u32 {
+        layer / self.directions()
+    }
+
+    fn directions(&self) -> u32 {
+        self.descriptor.azimuths().map_or(1, |azimuths| azimuths.count()).max(1)
     }
 }
 

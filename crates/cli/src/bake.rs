@@ -3,16 +3,17 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use barchan_asset::WriteError;
 use barchan_pipeline::{
-    BakeReport, HeightMapSource, PipelineError, Plan, Recipe, RecipeError, Source, StageTime, Table, TableEncoding,
-    bake,
+    BakeReport, HeightMapSource, PipelineError, Plan, Recipe, RecipeError, Run, Source, StageTime, Table,
+    TableEncoding, TableReport, bake,
 };
 use serde::Serialize;
 
 use crate::args::{BakeArguments, HeightMapArguments, ProgressStyleName};
-use crate::console::{self, bytes, number};
+use crate::console::{self, bytes, error_in, number};
 use crate::failure::{ExitStatus, Failure};
-use crate::output;
+use crate::output::{self, PendingFile};
 use crate::progress::ProgressDisplay;
 
 /// The report of the pipeline, and where the file went.
@@ -34,22 +35,33 @@ pub(crate) fn run(arguments: &BakeArguments, progress: ProgressStyleName, json: 
     let folder = arguments.input.parent().unwrap_or(Path::new(""));
     // A bare height map's path is as typed, a recipe's paths start at the recipe.
     let folder = if is_recipe(&arguments.input) { folder } else { Path::new("") };
-    let baked = bake(&plan, folder, arguments.jobs, &|stage, done, total| display.step(stage, done, total));
+    let mut pending = PendingFile::create(&output)?;
+    let progress = |stage, done, total| display.step(stage, done, total);
+    let run = Run { folder, threads: arguments.jobs, progress: &progress };
+    let baked = bake(&plan, &run, pending.file());
     display.finish();
-    let mut baked = baked.map_err(|error| failure(&arguments.input, error))?;
-    let write_start = Instant::now();
-    output::write_whole(&output, &baked.bytes)?;
-    baked.report.stages.push(StageTime { stage: "write", seconds: write_start.elapsed().as_secs_f64() });
+    let mut report = baked.map_err(|error| failure(arguments, &output, error))?.report;
+    let save_start = Instant::now();
+    pending.keep()?;
+    report.stages.push(StageTime { stage: "save", seconds: save_start.elapsed().as_secs_f64() });
     let total_seconds = start.elapsed().as_secs_f64();
-    let report = Report { bake: &baked.report, output: output.display().to_string(), total_seconds };
+    let report = Report { bake: &report, output: output.display().to_string(), total_seconds };
     console::present(&report, json, describe)?;
     Ok(ExitStatus::Success)
 }
 
-/// An import error names its file; any other complaint is about the recipe or the map that was typed.
-fn failure(input: &Path, error: PipelineError) -> Failure {
+/// An import error names its file, a failing disk is about the output; any other complaint is about the recipe or the map
+/// that was typed.
+fn failure(arguments: &BakeArguments, output: &Path, error: PipelineError) -> Failure {
+    let input = &arguments.input;
     match error {
-        error if error.is_io() || matches!(error, PipelineError::Import(_)) => error.into(),
+        PipelineError::Write(WriteError::Io { error, .. }) => output::cannot_write(output, &error),
+        PipelineError::NoCurvature { table } if !is_recipe(input) => {
+            let input = input.display();
+            Failure::Usage(format!("{input}: {table} needs a recipe that names `scene: (curvature: (min, max))`"))
+        }
+        error @ PipelineError::Import(_) => error.into(),
+        error if error.is_io() => Failure::Io(format!("{}: {error}", input.display())),
         error => Failure::content(input, error),
     }
 }
@@ -77,7 +89,7 @@ fn recipe(arguments: &BakeArguments) -> Result<Recipe, Failure> {
         RecipeError::Syntax { line, column, reason } => {
             Failure::BadInput(format!("{}:{line}:{column}: {reason}", path.display()))
         }
-        error @ RecipeError::Field(_) => Failure::content(path, error),
+        error @ (RecipeError::Field(_) | RecipeError::PointsTwice) => Failure::content(path, error),
     })
 }
 
@@ -95,11 +107,14 @@ fn bare_recipe(path: PathBuf, flags: &HeightMapArguments) -> Recipe {
     recipe.edge = flags.edge.unwrap_or(recipe.edge);
     recipe.compression = flags.compression.unwrap_or(recipe.compression);
     recipe.horizon.directions = flags.directions.unwrap_or(recipe.horizon.directions);
+    recipe.horizon.arc = flags.arc;
     recipe.horizon.radius = flags.radius;
+    recipe.horizon.method = flags.method.unwrap_or_default();
     let encoding = flags.encoding.unwrap_or_default();
-    (recipe.horizon.encoding, recipe.distance.encoding) = (encoding, encoding);
-    // Bytes would cut most relief into visible steps; a recipe can still ask for them.
-    recipe.height.encoding = if encoding == TableEncoding::U8 { TableEncoding::F16 } else { encoding };
+    (recipe.horizon.encoding, recipe.distance.encoding, recipe.sky.encoding) = (encoding, encoding, encoding);
+    if encoding == TableEncoding::F32 {
+        recipe.height.encoding = encoding;
+    }
     recipe
 }
 
@@ -113,6 +128,8 @@ fn first_flag(flags: &HeightMapArguments) -> Option<&'static str> {
         ("--integers", flags.integers.is_some()),
         ("--height-scale", flags.height_scale.is_some()),
         ("--height-offset", flags.height_offset.is_some()),
+        ("--arc", flags.arc.is_some()),
+        ("--method", flags.method.is_some()),
         ("--radius", flags.radius.is_some()),
         ("--encoding", flags.encoding.is_some()),
         ("--compression", flags.compression.is_some()),
@@ -137,13 +154,11 @@ fn output_path(arguments: &BakeArguments) -> Result<PathBuf, Failure> {
 fn describe(report: &Report<'_>) -> String {
     let Report { bake, output, total_seconds } = report;
     let mut text = String::new();
-    let mut line = |what: &str, words: String| text += &format!("{what:9} {words}\n");
+    let mut line = |what: &str, words: String| text += &format!("{what:14} {words}\n");
     line("baked", format!("{output}, {}, in {total_seconds:.2} s", bytes(bake.file_bytes)));
     line("source", source_words(bake));
     for table in &bake.tables {
-        let layers = if table.layers == 1 { String::new() } else { format!(" × {} directions", table.layers) };
-        let (size, error) = (bytes(table.stored_bytes), error_words(table.worst_case_error, table.unit));
-        line(table.table, format!("{}{layers}, {size}, {error}: {}", table.format, table.reason));
+        line(table.table, format!("{}: {}", table_words(table), table.reason));
     }
     for table in &bake.left_out {
         line("left out", format!("{}, saving {}: {}", table.table, bytes(table.bytes_saved), table.reason));
@@ -176,11 +191,25 @@ fn source_words(bake: &BakeReport) -> String {
     )
 }
 
-fn error_words(error: f64, unit: &str) -> String {
-    match unit {
-        _ if error == 0.0 => "exact".to_owned(),
-        "rad" => format!("± {}°", number(error.to_degrees())),
-        _ => format!("± {} {unit}", number(error)),
+/// How a table is stored, what that takes, and what it costs: the bound, and what was measured.
+fn table_words(table: &TableReport) -> String {
+    let TableReport { format, worst_case_error, encoding_rms, encoding_max, unit, .. } = table;
+    let size = bytes(table.stored_bytes);
+    let layers = layer_words(table.layers, table.candidates);
+    if *worst_case_error == 0.0 {
+        return format!("{format}{layers}, {size}, exact");
+    }
+    let [bound, rms, max] = [*worst_case_error, *encoding_rms, *encoding_max].map(|error| error_in(unit, error));
+    format!("{format}{layers}, {size}, ± {bound} (measured {rms} RMS, {max} at most)")
+}
+
+/// ` × 32 directions`, ` × 2 points × 32 directions`, or nothing.
+pub(crate) fn layer_words(layers: u32, candidates: u32) -> String {
+    match (layers, candidates) {
+        (1, 0) => String::new(),
+        (layers, 0) => format!(" × {layers} directions"),
+        (layers, 1) => format!(" × 1 further point × {layers} directions"),
+        (layers, candidates) => format!(" × {candidates} further points × {} directions", layers / candidates),
     }
 }
 
@@ -206,7 +235,7 @@ fn next_words(bake: &BakeReport, output: &str) -> String {
     // Never the name of a height map that may lie beside the file.
     let picture = Path::new(output).with_extension("lit.png");
     let (output, picture) = (shell_word(output), shell_word(&picture.display().to_string()));
-    format!("{inspect}\n          {program} render {output} --azimuth 135 --elevation 10 -o {picture}")
+    format!("{inspect}\n               {program} render {output} --azimuth 135 --elevation 10 -o {picture}")
 }
 
 /// A word as a shell takes it.

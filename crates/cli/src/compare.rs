@@ -31,7 +31,7 @@ struct TableReport {
     values: Option<ValueReport>,
 }
 
-/// Differences `b − a`, in degrees for the horizon and in the length unit for the rest.
+/// Differences `b − a`, in degrees for elevations, in the length unit for lengths.
 #[derive(Serialize)]
 struct ValueReport {
     unit: &'static str,
@@ -46,6 +46,8 @@ struct Place {
     layer: u32,
     column: u32,
     row: u32,
+    /// Of the numbers of a texel.
+    channel: u32,
     a: f32,
     b: f32,
 }
@@ -94,11 +96,13 @@ fn compare_table(a: &DecodedTable<'_>, b: &DecodedTable<'_>, tolerance: f64) -> 
     let stats = ErrorStats::between(&values_a, &values_b);
     let descriptor = &a.descriptor;
     let place = |index: usize| {
-        let (width, texels) = (descriptor.width as usize, descriptor.width as usize * descriptor.height as usize);
+        let (width, channels) = (descriptor.width as usize, descriptor.semantic.channels() as usize);
+        let (texel, texels) = (index / channels, width * descriptor.height as usize);
         Place {
-            layer: (index / texels) as u32,
-            column: (index % width) as u32,
-            row: (index % texels / width) as u32,
+            layer: (texel / texels) as u32,
+            column: (texel % width) as u32,
+            row: (texel % texels / width) as u32,
+            channel: (index % channels) as u32,
             a: values_a[index],
             b: values_b[index],
         }
@@ -122,10 +126,20 @@ fn shape_mismatch(a: &TextureDescriptor, b: &TextureDescriptor) -> Option<String
             ("length unit", d.length_unit.name().to_owned()),
             ("edge", format!("{} / {}", d.wrap_u.name(), d.wrap_v.name())),
             ("search radius", d.search_radius.to_string()),
+            ("azimuths", azimuth_words(d)),
+            ("candidates", d.candidates.to_string()),
+            ("range of curvatures", format!("{} to {}", d.curvature_min, d.curvature_max)),
         ]
     };
     let different = facts(a).into_iter().zip(facts(b)).find(|(a, b)| a != b);
     different.map(|((fact, a), (_, b))| format!("{fact} is {a} in one and {b} in the other"))
+}
+
+fn azimuth_words(descriptor: &TextureDescriptor) -> String {
+    match console::covered_arc(descriptor) {
+        Some(arc) => console::arc(arc),
+        None => "all around".to_owned(),
+    }
 }
 
 /// All decoded values, angles in degrees.
@@ -148,7 +162,7 @@ fn describe(report: &Report) -> String {
             (None, None) => String::new(),
         };
         // Writing into a String cannot fail.
-        let _ = writeln!(text, "{:9} {words}", table.table);
+        let _ = writeln!(text, "{:14} {words}", table.table);
     }
     let verdict = if report.same { "the same" } else { "different" };
     let _ = writeln!(text, "{} and {}: {verdict} at tolerance {}", report.a, report.b, report.tolerance);
@@ -159,10 +173,12 @@ fn values_words(values: &ValueReport) -> String {
     let ValueReport { unit, rms, max, first, worst } = values;
     let place = |name: &str, place: &Option<Place>| {
         place.as_ref().map_or_else(String::new, |at| {
-            let Place { layer, column, row, a, b } = at;
-            format!("; {name} at layer {layer}, column {column}, row {row}: {a} and {b}")
+            let Place { layer, column, row, channel, a, b } = at;
+            let channel = if *channel == 0 { String::new() } else { format!(", channel {channel}") };
+            format!("; {name} at layer {layer}, column {column}, row {row}{channel}: {a} and {b}")
         })
     };
     let (rms, max) = (number(*rms), number(*max));
-    format!("RMS {rms} {unit}, at most {max} {unit}{}{}", place("first", first), place("worst", worst))
+    let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    format!("RMS {rms}{unit}, at most {max}{unit}{}{}", place("first", first), place("worst", worst))
 }

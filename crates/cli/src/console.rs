@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
+use barchan_asset::TextureDescriptor;
 use barchan_pipeline::HorizonAccuracy;
 use serde::Serialize;
 
@@ -92,6 +93,28 @@ pub(crate) fn value_in(unit: barchan_asset::Unit, value: f64) -> String {
         barchan_asset::Unit::None => number(value),
         barchan_asset::Unit::Length(length) => format!("{} {}", number(value), length.symbol()),
     }
+}
+
+/// A first and a last azimuth, as in `from 180° to 300°`.
+pub(crate) fn arc((first, last): (f64, f64)) -> String {
+    format!("from {}° to {}°", number(first), number(last))
+}
+
+/// An error of a table, by the symbol of its unit: degrees for angles.
+pub(crate) fn error_in(unit: &str, error: f64) -> String {
+    match unit {
+        "rad" => format!("{}°", number(error.to_degrees())),
+        "" => number(error),
+        unit => format!("{} {unit}", number(error)),
+    }
+}
+
+/// The first and the last azimuth of a table in degrees; `None` all the way round, or without directions.
+pub(crate) fn covered_arc(descriptor: &TextureDescriptor) -> Option<(f64, f64)> {
+    let azimuths = descriptor.azimuths().filter(|azimuths| !azimuths.is_full_circle())?;
+    let last = azimuths.count().saturating_sub(1);
+    let degrees = |index| (azimuths.radians(index).to_degrees() * 1e9).round() / 1e9;
+    Some((degrees(0), degrees(last)))
 }
 
 /// How far a horizon is from the truth.

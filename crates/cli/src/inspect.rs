@@ -1,11 +1,12 @@
 //! `barchan inspect`: what a file holds.
 
 use barchan_asset::{Asset, Limits, Section, SectionKind, TextureDescriptor};
-use barchan_pipeline::Provenance;
+use barchan_pipeline::{EncodingProvenance, HorizonProvenance, Provenance};
 use serde::Serialize;
 
 use crate::args::FileArguments;
 use crate::asset_file::AssetFile;
+use crate::bake::layer_words;
 use crate::console::{self, bytes, number, value_in};
 use crate::failure::{ExitStatus, Failure};
 
@@ -56,6 +57,13 @@ struct TableReport {
     spacing_u: f64,
     spacing_v: f64,
     search_radius: Option<f64>,
+    transfer: &'static str,
+    /// The first and the last azimuth in degrees; `null` where there is no direction, and all the way round.
+    arc_degrees: Option<(f64, f64)>,
+    /// Points per azimuth of a swept table, besides the horizon's.
+    candidates: Option<u32>,
+    /// The curvatures a swept table serves, in 1 / length unit.
+    curvature: Option<(f64, f64)>,
     #[serde(skip)]
     descriptor: TextureDescriptor,
 }
@@ -119,7 +127,11 @@ fn table_report(descriptor: TextureDescriptor) -> TableReport {
         wrap_v: descriptor.wrap_v.name(),
         spacing_u: descriptor.spacing_u,
         spacing_v: descriptor.spacing_v,
-        search_radius: descriptor.semantic.is_directional().then_some(descriptor.search_radius),
+        search_radius: (descriptor.search_radius > 0.0).then_some(descriptor.search_radius),
+        transfer: descriptor.transfer.name(),
+        arc_degrees: console::covered_arc(&descriptor),
+        candidates: descriptor.semantic.is_swept().then_some(descriptor.candidates),
+        curvature: descriptor.semantic.is_swept().then_some((descriptor.curvature_min, descriptor.curvature_max)),
         descriptor,
     }
 }
@@ -131,7 +143,7 @@ fn provenance(asset: &Asset<'_>, limits: &Limits) -> Option<serde_json::Value> {
 
 fn describe(report: &Report) -> String {
     let mut text = String::new();
-    let mut line = |what: &str, words: String| text += &format!("{what:11} {words}\n");
+    let mut line = |what: &str, words: String| text += &format!("{what:14} {words}\n");
     line("file", format!("{}, {}, format {}", report.file, bytes(report.file_bytes), report.version));
     line("identity", format!("blake3 {}", report.identity));
     for section in &report.sections {
@@ -162,7 +174,13 @@ fn table_words(table: &TableReport) -> Vec<String> {
     let descriptor = &table.descriptor;
     let in_unit = |value| value_in(descriptor.unit, value);
     let length = descriptor.length_unit.symbol();
-    let layers = if table.layers == 1 { String::new() } else { format!(" × {} directions", table.layers) };
+    let layers = layer_words(table.layers, descriptor.candidates);
+    let arc = table.arc_degrees.map(|arc| format!(" {}", console::arc(arc))).unwrap_or_default();
+    let curvature = table.curvature.map(|(min, max)| format!(", curvature {min} to {max} per {length}"));
+    let transfer = match table.transfer {
+        "identity" => String::new(),
+        transfer => format!(" of the {}", if transfer == "square" { "root" } else { transfer }),
+    };
     let radius = table.search_radius.map(|radius| format!(", search radius {} {length}", number(radius)));
     let error = match table.worst_case_error {
         0.0 => "exact".to_owned(),
@@ -170,7 +188,7 @@ fn table_words(table: &TableReport) -> Vec<String> {
     };
     vec![
         format!(
-            "{} × {} texels of {} × {} {length}{layers}, {}, {} / {}{}",
+            "{} × {} texels of {} × {} {length}{layers}{arc}, {}{transfer}, {} / {}{}{}",
             table.width,
             table.height,
             number(table.spacing_u),
@@ -179,6 +197,7 @@ fn table_words(table: &TableReport) -> Vec<String> {
             table.wrap_u,
             table.wrap_v,
             radius.unwrap_or_default(),
+            curvature.unwrap_or_default(),
         ),
         format!("{} {} to {}, {error}", table.semantic, in_unit(table.minimum), in_unit(table.maximum)),
     ]
@@ -191,9 +210,25 @@ fn provenance_words(json: &serde_json::Value) -> Vec<String> {
     };
     let mut words =
         vec![format!("{}, input {}", provenance.generator, json["input"]), format!("recipe {}", json["recipe"])];
-    if let Some(horizon) = provenance.horizon {
-        words.push(format!("{}, {} directions, radius {}", horizon.algorithm, horizon.directions, horizon.radius));
-        words.extend(horizon.accuracy.as_ref().map(console::accuracy));
-    }
+    words.extend(provenance.horizon.iter().flat_map(horizon_words));
+    words.extend(provenance.swept.map(|swept| format!("{}, {} points", swept.algorithm, swept.points)));
+    words.extend(provenance.sky.map(|sky| sky.algorithm));
+    let lossy = provenance.encodings.iter().filter(|encoding| encoding.max > 0.0);
+    words.extend(lossy.map(encoding_words));
     words
+}
+
+fn horizon_words(horizon: &HorizonProvenance) -> Vec<String> {
+    let HorizonProvenance { algorithm, method, directions, arc, radius, accuracy } = horizon;
+    let method = method.map(|method| format!(" {}", method.name())).unwrap_or_default();
+    let arc = arc.map(|arc| format!(" {}", console::arc(arc))).unwrap_or_default();
+    let baked = format!("{algorithm}{method}, {directions} directions{arc}, radius {radius}");
+    std::iter::once(baked).chain(accuracy.as_ref().map(console::accuracy)).collect()
+}
+
+/// What storing cost, measured over all values.
+fn encoding_words(encoding: &EncodingProvenance) -> String {
+    let EncodingProvenance { table, format, unit, rms, max } = encoding;
+    let [rms, max] = [*rms, *max].map(|error| console::error_in(unit, error));
+    format!("{table} stored as {format}: measured {rms} RMS, {max} at most")
 }

@@ -1,5 +1,6 @@
 //! Files appear whole or not at all.
 
+use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -7,18 +8,45 @@ use tempfile::{Builder, NamedTempFile};
 
 use crate::failure::Failure;
 
-/// Writes a file under a temporary name in the same folder and renames it into place: on any failure the previous file
-/// is as it was, and nothing is left behind.
+/// A file under a temporary name in the folder where it is wanted. Until it is kept, what was there before is as it was;
+/// if it never is, nothing is left behind.
+pub(crate) struct PendingFile<'a> {
+    path: &'a Path,
+    file: NamedTempFile,
+}
+
+impl<'a> PendingFile<'a> {
+    pub(crate) fn create(path: &'a Path) -> Result<Self, Failure> {
+        let folder = folder_of(path);
+        check(path, &folder)?;
+        // The kind alone, and below the bare file: the errors' own words would name the temporary file.
+        let file = temporary(&folder).map_err(|error| cannot_write(path, &error.kind().into()))?;
+        Ok(Self { path, file })
+    }
+
+    pub(crate) fn file(&mut self) -> &mut File {
+        self.file.as_file_mut()
+    }
+
+    /// Renames the file into place, once the disk has it.
+    pub(crate) fn keep(self) -> Result<(), Failure> {
+        let Self { path, file } = self;
+        file.as_file().sync_all().map_err(|error| cannot_write(path, &error))?;
+        file.persist(path).map_err(|error| cannot_write(path, &error.error))?;
+        Ok(())
+    }
+}
+
+/// Writes a file whole: on any failure the previous file is as it was.
 pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let cannot = |error: &std::io::Error| Failure::io(path, "cannot be written", error);
-    let folder = folder_of(path);
-    check(path, &folder)?;
-    // The kind alone, and below the bare file: the errors' own words would name the temporary file.
-    let mut file = temporary(&folder).map_err(|error| cannot(&error.kind().into()))?;
-    file.as_file_mut().write_all(bytes).map_err(|error| cannot(&error))?;
-    file.as_file().sync_all().map_err(|error| cannot(&error))?;
-    file.persist(path).map_err(|error| cannot(&error.error))?;
-    Ok(())
+    let mut pending = PendingFile::create(path)?;
+    pending.file().write_all(bytes).map_err(|error| cannot_write(path, &error))?;
+    pending.keep()
+}
+
+/// The system refused to write a file.
+pub(crate) fn cannot_write(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::io(path, "cannot be written", error)
 }
 
 /// Refuses an output that cannot become a file, or that is the input, before work is spent on it.

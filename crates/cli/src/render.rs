@@ -2,10 +2,10 @@
 
 use std::io::Cursor;
 
-use barchan_asset::{HeightView, HorizonView};
+use barchan_asset::{BentNormalView, HeightView, HorizonView, SkyVisibilityView};
 use barchan_metrics::{MaskDisagreement, signed_colour};
 use barchan_pipeline::Table;
-use barchan_shade::{DirectionalLight, HorizonShadow, Palette, Picture, Pixels, Surface, TracedShadow};
+use barchan_shade::{DirectionalLight, HorizonShadow, Palette, Picture, Pixels, SkyLight, Surface, TracedShadow};
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use serde::Serialize;
 
@@ -48,6 +48,9 @@ struct Comparison {
 pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json: bool) -> Result<ExitStatus, Failure> {
     output::check_writable(&arguments.output, &arguments.file)?;
     let file = AssetFile::read(&arguments.file)?;
+    if arguments.ambient {
+        return ambient(&file, arguments, json);
+    }
     let (height, horizon) = (file.decode(Table::Height)?, file.decode(Table::Horizon)?);
     let heights = HeightView::new(height.descriptor, &height.payload).map_err(|error| file.content(error))?;
     let horizon = HorizonView::new(horizon.descriptor, &horizon.payload).map_err(|error| file.content(error))?;
@@ -55,6 +58,7 @@ pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json
         return Err(file.content("height and horizon differ in extent; a picture needs them to agree"));
     }
     let surface = Surface::new(&heights);
+    check_covered(&file, &horizon, arguments.azimuth)?;
     let light = DirectionalLight::from_degrees(arguments.azimuth, arguments.elevation);
     let scene = Scene { pixels: pixels(&file, &surface, arguments.scale)?, surface: &surface, horizon, light };
     let display = ProgressDisplay::new(progress);
@@ -63,6 +67,67 @@ pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json
     output::write_whole(&arguments.output, &png(&drawing.picture)?)?;
     console::present(&report(arguments, drawing), json, describe)?;
     Ok(ExitStatus::Success)
+}
+
+#[derive(Serialize)]
+struct AmbientReport {
+    schema: &'static str,
+    file: String,
+    output: String,
+    width: u32,
+    height: u32,
+    mean_visibility: f64,
+}
+
+/// A picture under an overcast sky.
+fn ambient(file: &AssetFile, arguments: &RenderArguments, json: bool) -> Result<ExitStatus, Failure> {
+    let (height, visibility) = (file.decode(Table::Height)?, file.decode(Table::SkyVisibility)?);
+    let bent_normal = match file.tables()?.contains(&Table::BentNormal) {
+        true => Some(file.decode(Table::BentNormal)?),
+        false => None,
+    };
+    let heights = HeightView::new(height.descriptor, &height.payload).map_err(|error| file.content(error))?;
+    let visibility =
+        SkyVisibilityView::new(visibility.descriptor, &visibility.payload).map_err(|error| file.content(error))?;
+    let bent_normal = bent_normal.as_ref().map(|table| BentNormalView::new(table.descriptor, &table.payload));
+    let bent_normal = bent_normal.transpose().map_err(|error| file.content(error))?;
+    let extents =
+        [Some((visibility.width(), visibility.height())), bent_normal.map(|bent| (bent.width(), bent.height()))];
+    if extents.into_iter().flatten().any(|extent| extent != (heights.width(), heights.height())) {
+        return Err(file.content("height and sky differ in extent; a picture needs them to agree"));
+    }
+    let (surface, sky) = (Surface::new(&heights), SkyLight::new(&visibility, bent_normal.as_ref()));
+    let pixels = pixels(file, &surface, arguments.scale)?;
+    let shares = pixels.map(|x, y| sky.visibility(x, y));
+    let report = AmbientReport {
+        schema: "barchan.render_ambient/1",
+        file: arguments.file.display().to_string(),
+        output: arguments.output.display().to_string(),
+        width: pixels.width,
+        height: pixels.height,
+        mean_visibility: shares.iter().sum::<f64>() / shares.len() as f64,
+    };
+    output::write_whole(&arguments.output, &png(&Picture::overcast(&pixels, &sky, &Palette::SAND))?)?;
+    console::present(&report, json, |report| {
+        let AmbientReport { output, width, height, mean_visibility, .. } = report;
+        let share = 100.0 * mean_visibility;
+        format!(
+            "drew      {output}, {width} × {height} pixels\nsky       overcast, {share:.1} % of it seen on average\n"
+        )
+    })?;
+    Ok(ExitStatus::Success)
+}
+
+/// Beyond the arc of a table its nearer end would be shown, which is no shadow of that sun.
+fn check_covered(file: &AssetFile, horizon: &HorizonView<'_>, azimuth_degrees: f64) -> Result<(), Failure> {
+    let descriptor = *horizon.table().descriptor();
+    match console::covered_arc(&descriptor) {
+        Some(arc) if !horizon.azimuths().covers(azimuth_degrees.rem_euclid(360.0).to_radians()) => {
+            let (file, arc) = (file.path.display(), console::arc(arc));
+            Err(Failure::Usage(format!("{file}: --azimuth is {azimuth_degrees}; its horizon is baked {arc}")))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn report(arguments: &RenderArguments, drawing: Drawing) -> Report {

@@ -45,6 +45,12 @@ pub enum PipelineError {
         /// The baker's reason.
         error: BakeError,
     },
+    /// A table whose range of curvatures nobody named.
+    #[error("scene: `curvature` is missing; {table} needs a range, such as `curvature: (0.0, 0.02)`")]
+    NoCurvature {
+        /// The table.
+        table: &'static str,
+    },
     /// Values that the encoding cannot hold.
     #[error("{table}: {error}")]
     Encode {
@@ -64,8 +70,15 @@ impl PipelineError {
     pub fn is_io(&self) -> bool {
         match self {
             Self::Import(error) => error.is_io(),
-            Self::Bake { error, .. } => matches!(error, BakeError::Threads { .. }),
+            Self::Bake { error, .. } => matches!(error, BakeError::Threads { .. } | BakeError::Memory { .. }),
+            Self::Write(error) => matches!(error, WriteError::Io { .. } | WriteError::OutOfMemory { .. }),
             _ => false,
         }
     }
+}
+
+/// A baker's refusal, with what it is about. A field that is too small is the source's fault, whoever noticed.
+pub(crate) fn refused(subject: &str, error: BakeError) -> PipelineError {
+    let subject = if matches!(error, BakeError::Field { .. }) { "source" } else { subject };
+    PipelineError::Bake { subject: subject.to_owned(), error }
 }

@@ -1,29 +1,39 @@
 //! A recipe to a plan to an asset.
 //!
 //! [`Recipe`] is what a person wrote, parsed and spelled out. [`Plan`] is what will be baked, what is left out, and why.
-//! [`bake`] carries a plan out and gives the file's bytes with a [`BakeReport`] of what was done, how long it took and how
-//! far the result is from the truth. Height maps are read here, through `barchan_import`; nothing is written.
+//! [`bake()`] carries a plan out: it writes a file, direction by direction, into whatever it is given, and returns a
+//! [`BakeReport`] of what was done, how long it took and how far the result is from the truth. Height maps are read here,
+//! through `barchan_import`; no file is opened for writing.
 
 mod accuracy;
 mod bake;
+mod bounds;
+mod clock;
+mod directions;
 mod error;
+mod layout;
+mod pair;
 mod plan;
 mod provenance;
 mod recipe;
 mod report;
+mod sink;
 mod source;
 mod spacing;
 mod syntax;
 mod table;
 
 pub use accuracy::HorizonAccuracy;
-pub use bake::{Baked, Progress, bake};
+pub use bake::{Baked, Progress, Run, bake};
 pub use error::PipelineError;
 pub use plan::{Decision, Plan, PlannedTable};
-pub use provenance::{CanonicalRecipe, HorizonProvenance, InputProvenance, PROVENANCE_SCHEMA, Provenance};
+pub use provenance::{
+    CanonicalRecipe, EncodingProvenance, HorizonProvenance, InputProvenance, PROVENANCE_SCHEMA, Provenance,
+    SkyProvenance, SweptProvenance,
+};
 pub use recipe::{
-    Compression, DistanceRecipe, HeightMapSource, HeightRecipe, HorizonRecipe, Recipe, RecipeError, Scene, ShapeSource,
-    Source, TableEncoding,
+    Compression, CurvedRecipe, DistanceRecipe, HeightMapSource, HeightRecipe, HorizonMethod, HorizonRecipe, Recipe,
+    RecipeError, Scene, ShapeSource, SkyRecipe, Source, TableEncoding,
 };
 pub use report::{BAKE_SCHEMA, BakeReport, GridReport, LeftOut, StageTime, TableReport};
 pub use table::Table;

@@ -1,13 +1,15 @@
 //! Where an asset comes from, stored in it as JSON: enough to bake it again and to know how good it is. Nothing in it
 //! depends on the machine, the time or a path, so the same input gives the same bytes.
 
-use barchan_bakers::horizon::ALGORITHM;
+use barchan_bakers::horizon::{self, HorizonParams};
+use barchan_bakers::{sky, swept};
 use barchan_field::{Edge, LengthUnit};
 use barchan_import::{Fill, Integers};
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::HorizonAccuracy;
-use crate::{Recipe, Scene, ShapeSource, TableEncoding};
+use crate::sink::WrittenTable;
+use crate::{CurvedRecipe, HorizonMethod, HorizonRecipe, Recipe, Scene, ShapeSource, Table, TableEncoding};
 
 /// Names the layout of [`Provenance`] as JSON.
 pub const PROVENANCE_SCHEMA: &str = "barchan.provenance/1";
@@ -25,6 +27,31 @@ pub struct Provenance {
     pub recipe: CanonicalRecipe,
     /// The horizon's baker, if it ran.
     pub horizon: Option<HorizonProvenance>,
+    /// The baker of points for curved surfaces, if it ran.
+    #[serde(default)]
+    pub swept: Option<SweptProvenance>,
+    /// The baker of the sky, if it ran.
+    #[serde(default)]
+    pub sky: Option<SkyProvenance>,
+    /// What storing cost each table.
+    #[serde(default)]
+    pub encodings: Vec<EncodingProvenance>,
+}
+
+impl Provenance {
+    /// What is known before anything was baked.
+    pub(crate) fn of_recipe(recipe: &Recipe, input: InputProvenance, tables: &[Table]) -> Self {
+        Self {
+            schema: PROVENANCE_SCHEMA.to_owned(),
+            generator: concat!("barchan ", env!("CARGO_PKG_VERSION")).to_owned(),
+            input,
+            recipe: CanonicalRecipe::new(recipe, tables.iter().map(|table| table.name().to_owned()).collect()),
+            horizon: None,
+            swept: None,
+            sky: None,
+            encodings: Vec::new(),
+        }
+    }
 }
 
 /// What was baked from.
@@ -57,6 +84,8 @@ pub enum InputProvenance {
 }
 
 /// The settings that shaped the tables. How sections are packed is not among them: it does not change the content.
+///
+/// What came later is `None` in older files.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CanonicalRecipe {
     /// Length per texel along u and v.
@@ -75,6 +104,12 @@ pub struct CanonicalRecipe {
     pub horizon_encoding: TableEncoding,
     /// How distances are stored.
     pub distance_encoding: TableEncoding,
+    /// How many points were asked for on curved surfaces, and how they are stored.
+    #[serde(default)]
+    pub curved: Option<CurvedRecipe>,
+    /// How sky visibility, bent normal and aperture cone are stored.
+    #[serde(default)]
+    pub sky_encoding: Option<TableEncoding>,
 }
 
 impl CanonicalRecipe {
@@ -88,6 +123,8 @@ impl CanonicalRecipe {
             height_encoding: recipe.height.encoding,
             horizon_encoding: recipe.horizon.encoding,
             distance_encoding: recipe.distance.encoding,
+            curved: Some(recipe.curved),
+            sky_encoding: Some(recipe.sky.encoding),
         }
     }
 }
@@ -97,8 +134,14 @@ impl CanonicalRecipe {
 pub struct HorizonProvenance {
     /// Changes when the same input gives other bytes.
     pub algorithm: String,
+    /// How exactly; `None` in older files.
+    #[serde(default)]
+    pub method: Option<HorizonMethod>,
     /// Azimuths.
     pub directions: u32,
+    /// The first and the last azimuth in degrees; `None` all the way round.
+    #[serde(default)]
+    pub arc: Option<(f64, f64)>,
     /// Search radius in the length unit.
     pub radius: f64,
     /// Measured error; `null` if no horizon table was stored.
@@ -106,7 +149,70 @@ pub struct HorizonProvenance {
 }
 
 impl HorizonProvenance {
-    pub(crate) fn new(directions: u32, radius: f64, accuracy: Option<HorizonAccuracy>) -> Self {
-        Self { algorithm: ALGORITHM.to_owned(), directions, radius, accuracy }
+    pub(crate) fn new(recipe: &HorizonRecipe, params: &HorizonParams, accuracy: Option<HorizonAccuracy>) -> Self {
+        Self {
+            algorithm: horizon::ALGORITHM.to_owned(),
+            method: Some(recipe.method),
+            directions: params.directions(),
+            arc: recipe.arc,
+            radius: params.radius,
+            accuracy,
+        }
+    }
+}
+
+/// What baked the points for curved surfaces.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SweptProvenance {
+    /// Changes when the same input gives other bytes.
+    pub algorithm: String,
+    /// Points per texel and azimuth, that of the flat horizon among them.
+    pub points: u32,
+}
+
+impl SweptProvenance {
+    pub(crate) fn new(points: u32) -> Self {
+        Self { algorithm: swept::ALGORITHM.to_owned(), points }
+    }
+}
+
+/// What baked the tables of the sky.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SkyProvenance {
+    /// Changes when the same input gives other bytes.
+    pub algorithm: String,
+}
+
+impl SkyProvenance {
+    pub(crate) fn new() -> Self {
+        Self { algorithm: sky::ALGORITHM.to_owned() }
+    }
+}
+
+/// What storing cost a table: decoded, by the arithmetic of a shader, minus baked, over every value of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EncodingProvenance {
+    /// The table.
+    pub table: String,
+    /// How a texel is stored.
+    pub format: String,
+    /// The symbol of the unit of the errors; empty for plain numbers.
+    pub unit: String,
+    /// RMS error.
+    pub rms: f64,
+    /// The largest error.
+    pub max: f64,
+}
+
+impl EncodingProvenance {
+    pub(crate) fn new(written: &WrittenTable) -> Self {
+        let WrittenTable { table, descriptor, loss } = written;
+        Self {
+            table: table.name().to_owned(),
+            format: descriptor.format.name().to_owned(),
+            unit: descriptor.unit.symbol().to_owned(),
+            rms: loss.rms,
+            max: loss.max,
+        }
     }
 }

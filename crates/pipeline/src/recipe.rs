@@ -4,6 +4,8 @@
 use std::path::PathBuf;
 
 use barchan_asset::Encoding;
+use barchan_bakers::horizon::{Azimuths, Method};
+use barchan_bakers::swept::{CurvatureRange, Points, SweptParams};
 use barchan_field::{Edge, FieldError, LengthUnit, Shape, Spacing};
 use barchan_import::{Fill, Integers};
 use ron::extensions::Extensions;
@@ -13,7 +15,7 @@ use serde_path_to_error::{Path, Segment};
 use thiserror::Error;
 
 use crate::spacing::SpacingText;
-use crate::syntax;
+use crate::{pair, syntax};
 
 /// A recipe, with every default filled in.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +36,10 @@ pub struct Recipe {
     pub horizon: HorizonRecipe,
     /// The distance table.
     pub distance: DistanceRecipe,
+    /// The swept tables, which follow the horizon over a range of curvatures.
+    pub curved: CurvedRecipe,
+    /// Sky visibility, bent normal and aperture cone.
+    pub sky: SkyRecipe,
     /// How sections are packed.
     pub compression: Compression,
 }
@@ -106,31 +112,60 @@ pub struct ShapeSource {
 }
 
 /// What a scene does with the tables. What it does not need is left out.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Scene {
     /// The relief lies on curved surfaces, whose horizons are corrected with the distance.
     pub curved_surfaces: bool,
+    /// The least and the greatest curvature of those surfaces, in 1 / length unit, positive where convex: horizons are
+    /// to be right over all of that range. Says that there are curved surfaces.
+    #[serde(deserialize_with = "pair::optional")]
+    pub curvature: Option<(f64, f64)>,
     /// Penumbrae are sized by the distance.
     pub soft_shadows: bool,
+    /// Light of the sky is dimmed and turned by what hides the sky.
+    pub ambient_light: bool,
+    /// Lights of some extent, or blurred reflections, are cut by the cone of the visible sky.
+    pub area_lights: bool,
+}
+
+impl Scene {
+    /// Whether there are curved surfaces, said in either way.
+    #[must_use]
+    pub fn is_curved(&self) -> bool {
+        self.curved_surfaces || self.curvature.is_some()
+    }
 }
 
 /// The height table.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct HeightRecipe {
     /// How it is stored.
     pub encoding: TableEncoding,
 }
 
+impl Default for HeightRecipe {
+    /// Half floats: bytes cut most relief into visible steps.
+    fn default() -> Self {
+        Self { encoding: TableEncoding::F16 }
+    }
+}
+
 /// The horizon table.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct HorizonRecipe {
-    /// Azimuths, evenly spaced from +u, counter-clockwise.
+    /// Azimuths: evenly spaced from +u, counter-clockwise, or over the arc, both its ends included.
     pub directions: u32,
+    /// The first and the last azimuth in degrees, counter-clockwise from +u, where a light never comes from elsewhere; `None`
+    /// goes all the way round.
+    #[serde(deserialize_with = "pair::optional")]
+    pub arc: Option<(f64, f64)>,
     /// How far to look, in the length unit; `None` takes what the edge policy suggests.
     pub radius: Option<f64>,
+    /// How exactly, at what speed.
+    pub method: HorizonMethod,
     /// How it is stored.
     pub encoding: TableEncoding,
 }
@@ -138,11 +173,59 @@ pub struct HorizonRecipe {
 impl HorizonRecipe {
     /// Azimuths where none are asked for: every 11.25°.
     pub const DEFAULT_DIRECTIONS: u32 = 32;
+
+    /// The azimuths in the baker's words.
+    #[must_use]
+    pub fn azimuths(&self) -> Azimuths {
+        match self.arc {
+            None => Azimuths::full_circle(self.directions),
+            Some((first_degrees, last_degrees)) => {
+                Azimuths::Arc { first_degrees, last_degrees, count: self.directions }
+            }
+        }
+    }
 }
 
 impl Default for HorizonRecipe {
     fn default() -> Self {
-        Self { directions: Self::DEFAULT_DIRECTIONS, radius: None, encoding: TableEncoding::default() }
+        Self {
+            directions: Self::DEFAULT_DIRECTIONS,
+            arc: None,
+            radius: None,
+            method: HorizonMethod::default(),
+            encoding: TableEncoding::default(),
+        }
+    }
+}
+
+/// `sweep`, `accurate` or `exact`, as recipes and flags spell it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum HorizonMethod {
+    /// The fastest, for previews.
+    Sweep,
+    /// What the eye cannot tell from exact.
+    #[default]
+    Accurate,
+    /// The reference's horizon, but for the rounding of f32.
+    Exact,
+}
+
+impl HorizonMethod {
+    /// `sweep`, `accurate` or `exact`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Method::from(self).name()
+    }
+}
+
+impl From<HorizonMethod> for Method {
+    fn from(method: HorizonMethod) -> Self {
+        match method {
+            HorizonMethod::Sweep => Self::Sweep,
+            HorizonMethod::Accurate => Self::Accurate,
+            HorizonMethod::Exact => Self::Exact,
+        }
     }
 }
 
@@ -154,17 +237,54 @@ pub struct DistanceRecipe {
     pub encoding: TableEncoding,
 }
 
-/// `f32`, `f16` or `u8`, as recipes and flags spell it.
+/// The swept tables. They have the horizon's azimuths and radius.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct CurvedRecipe {
+    /// Points per texel and azimuth, that of the flat horizon among them; `None` takes as few as keep the error.
+    pub points: Option<u32>,
+    /// The error of the angle that 99 of 100 texels and azimuths must keep at the worst curvature, in degrees, where
+    /// the number of points is not given.
+    pub max_error_degrees: Option<f64>,
+    /// How they are stored.
+    pub encoding: TableEncoding,
+}
+
+impl CurvedRecipe {
+    /// The error kept where nobody asks for another, in degrees: a sun's diameter.
+    pub const DEFAULT_MAX_ERROR_DEGREES: f64 = 0.5;
+
+    /// What to bake over a range of curvatures, in the baker's words.
+    #[must_use]
+    pub fn params(&self, (min, max): (f64, f64)) -> SweptParams {
+        let error = self.max_error_degrees.unwrap_or(Self::DEFAULT_MAX_ERROR_DEGREES);
+        let points = self.points.map_or(Points::MaxErrorDegrees(error), Points::Count);
+        SweptParams { range: CurvatureRange { min, max }, points }
+    }
+}
+
+/// Sky visibility, bent normal and aperture cone. They are summed over the horizon's azimuths.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct SkyRecipe {
+    /// How they are stored.
+    pub encoding: TableEncoding,
+}
+
+/// `f32`, `f16`, `u8` or `compact`, as recipes and flags spell it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum TableEncoding {
     /// As baked; not filterable on every GPU.
     F32,
     /// Half floats over the table's range.
-    #[default]
     F16,
     /// Bytes over the table's range.
     U8,
+    /// What suits the table: bytes of the sine of an elevation, of the root of a distance, of a share of the sky; half
+    /// floats of a height.
+    #[default]
+    Compact,
 }
 
 impl From<TableEncoding> for Encoding {
@@ -173,6 +293,7 @@ impl From<TableEncoding> for Encoding {
             TableEncoding::F32 => Self::F32,
             TableEncoding::F16 => Self::F16,
             TableEncoding::U8 => Self::U8,
+            TableEncoding::Compact => Self::Compact,
         }
     }
 }
@@ -208,6 +329,10 @@ struct RecipeText {
     #[serde(default)]
     distance: DistanceRecipe,
     #[serde(default)]
+    curved: CurvedRecipe,
+    #[serde(default)]
+    sky: SkyRecipe,
+    #[serde(default)]
     compression: Compression,
 }
 
@@ -228,6 +353,9 @@ pub enum RecipeError {
         /// What was found and what would be accepted.
         reason: String,
     },
+    /// Two fields that say the same thing.
+    #[error("curved: `points` and `max_error_degrees` are both there; one of them is accepted")]
+    PointsTwice,
     /// A value that no field has.
     #[error(transparent)]
     Field(#[from] FieldError),
@@ -246,6 +374,8 @@ impl Recipe {
             height: HeightRecipe::default(),
             horizon: HorizonRecipe::default(),
             distance: DistanceRecipe::default(),
+            curved: CurvedRecipe::default(),
+            sky: SkyRecipe::default(),
             compression: Compression::default(),
         }
     }
@@ -256,6 +386,9 @@ impl Recipe {
             .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES | Extensions::IMPLICIT_SOME);
         let text: RecipeText = read(text, &options)?;
         let (spacing_u, spacing_v) = text.spacing.lengths();
+        if text.curved.points.is_some() && text.curved.max_error_degrees.is_some() {
+            return Err(RecipeError::PointsTwice);
+        }
         Ok(Self {
             source: text.source,
             spacing: Spacing::new(spacing_u, spacing_v)?,
@@ -265,6 +398,8 @@ impl Recipe {
             height: text.height,
             horizon: text.horizon,
             distance: text.distance,
+            curved: text.curved,
+            sky: text.sky,
             compression: text.compression,
         })
     }

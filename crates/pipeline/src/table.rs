@@ -11,11 +11,30 @@ pub enum Table {
     Horizon,
     /// Distances to the horizon.
     Distance,
+    /// Elevations of further points, which become the horizon on curved surfaces.
+    SweptHorizon,
+    /// Their distances.
+    SweptDistance,
+    /// How much of the sky is seen.
+    SkyVisibility,
+    /// The mean direction of the visible sky.
+    BentNormal,
+    /// The cone of directions towards the visible sky.
+    ApertureCone,
 }
 
 impl Table {
     /// Every table, in the order of the file.
-    pub const ALL: [Self; 3] = [Self::Height, Self::Horizon, Self::Distance];
+    pub const ALL: [Self; 8] = [
+        Self::Height,
+        Self::Horizon,
+        Self::Distance,
+        Self::SweptHorizon,
+        Self::SweptDistance,
+        Self::SkyVisibility,
+        Self::BentNormal,
+        Self::ApertureCone,
+    ];
 
     /// The section it is stored in.
     #[must_use]
@@ -24,7 +43,24 @@ impl Table {
             Self::Height => SectionKind::HEIGHT,
             Self::Horizon => SectionKind::HORIZON,
             Self::Distance => SectionKind::DISTANCE,
+            Self::SweptHorizon => SectionKind::SWEPT_HORIZON,
+            Self::SweptDistance => SectionKind::SWEPT_DISTANCE,
+            Self::SkyVisibility => SectionKind::SKY_VISIBILITY,
+            Self::BentNormal => SectionKind::BENT_NORMAL,
+            Self::ApertureCone => SectionKind::APERTURE_CONE,
         }
+    }
+
+    /// Whether it holds further points for curved surfaces.
+    #[must_use]
+    pub fn is_swept(self) -> bool {
+        matches!(self, Self::SweptHorizon | Self::SweptDistance)
+    }
+
+    /// Whether it is summed over all azimuths.
+    #[must_use]
+    pub fn is_of_the_sky(self) -> bool {
+        matches!(self, Self::SkyVisibility | Self::BentNormal | Self::ApertureCone)
     }
 
     /// Its name on the command line and in reports: that of its section.

@@ -2,7 +2,7 @@
 
 use barchan_field::Shape;
 use barchan_field::shapes::Plane;
-use barchan_pipeline::{Decision, Plan, Recipe, Scene, ShapeSource, Source, Table};
+use barchan_pipeline::{Decision, HorizonRecipe, Plan, Recipe, Scene, ShapeSource, Source, Table};
 
 fn plan(scene: Option<Scene>, only: Option<&[Table]>) -> Plan {
     let shape = Shape::Plane(Plane { slope_u: 0.5, slope_v: 0.0 });
@@ -12,7 +12,7 @@ fn plan(scene: Option<Scene>, only: Option<&[Table]>) -> Plan {
 }
 
 /// Baked or not, and why, for each table.
-fn decisions(plan: &Plan) -> [(bool, &'static str); 3] {
+fn decisions(plan: &Plan) -> [(bool, &'static str); 8] {
     Table::ALL.map(|table| {
         let planned = plan.tables.iter().find(|planned| planned.table == table).unwrap();
         assert_eq!(plan.bakes(table), planned.decision == Decision::Bake);
@@ -21,32 +21,85 @@ fn decisions(plan: &Plan) -> [(bool, &'static str); 3] {
 }
 
 #[test]
-fn without_a_scene_everything_is_baked() {
-    let reasons = ["the surface itself", "shadows", "no recipe says that the scene does without it"];
-    assert_eq!(decisions(&plan(None, None)), reasons.map(|reason| (true, reason)));
+fn without_a_scene_everything_is_baked_that_is_small_or_can_be() {
+    let unsaid = (true, "no recipe says that the scene does without it");
+    let range = (false, "no recipe says between which curvatures");
+    let cone = (false, "no recipe says that the scene has area lights");
+    let (height, horizon) = ((true, "the surface itself"), (true, "shadows"));
+    assert_eq!(decisions(&plan(None, None)), [height, horizon, unsaid, range, range, unsaid, unsaid, cone]);
 }
 
 #[test]
-fn a_scene_decides_on_the_distance_alone() {
-    let scene = |curved_surfaces, soft_shadows| plan(Some(Scene { curved_surfaces, soft_shadows }), None);
-    for (plan, distance) in [
+fn azimuths_that_do_not_go_round_have_no_sky() {
+    let sky = |horizon: HorizonRecipe| {
+        let mut recipe = plan(None, None).recipe;
+        recipe.horizon = horizon;
+        decisions(&Plan::new(recipe, None))[5]
+    };
+    let all = HorizonRecipe::default();
+    assert!(sky(HorizonRecipe { directions: 3, ..all }).0);
+    let few = (false, "fewer than 3 azimuths do not see all of the sky");
+    assert_eq!(sky(HorizonRecipe { directions: 2, ..all }), few);
+    let arc = (false, "an arc of azimuths does not see all of the sky");
+    assert_eq!(sky(HorizonRecipe { arc: Some((0.0, 90.0)), ..all }), arc);
+}
+
+#[test]
+fn a_scene_decides_on_the_distance() {
+    let scene = |curved_surfaces, soft_shadows| {
+        decisions(&plan(Some(Scene { curved_surfaces, soft_shadows, ..Scene::default() }), None))
+    };
+    for (decisions, distance) in [
         (scene(false, false), (false, "the scene has no curved surfaces and no soft shadows")),
         (scene(true, false), (true, "corrects the horizon on curved surfaces")),
         (scene(false, true), (true, "sizes penumbrae")),
         (scene(true, true), (true, "corrects the horizon on curved surfaces")),
     ] {
-        assert_eq!(decisions(&plan), [(true, "the surface itself"), (true, "shadows"), distance]);
+        assert_eq!(decisions[..3], [(true, "the surface itself"), (true, "shadows"), distance]);
     }
 }
 
 #[test]
+fn a_range_of_curvatures_asks_for_swept_tables_and_distances() {
+    let scene = |curved_surfaces, curvature| {
+        decisions(&plan(Some(Scene { curved_surfaces, curvature, ..Scene::default() }), None))
+    };
+    let kept = (true, "keeps the horizon right over the range of curvatures");
+    let corrected = (true, "corrects the horizon on curved surfaces");
+    for curved in [false, true] {
+        assert_eq!(scene(curved, Some((0.0, 0.1)))[2..5], [corrected, kept, kept]);
+    }
+    assert_eq!(scene(true, None)[3], (false, "the scene does not say between which curvatures"));
+    assert_eq!(scene(false, None)[3], (false, "the scene has no curved surfaces"));
+}
+
+#[test]
+fn a_scene_decides_on_the_sky() {
+    let scene = |ambient_light, area_lights| {
+        decisions(&plan(Some(Scene { ambient_light, area_lights, ..Scene::default() }), None))[5..].to_vec()
+    };
+    let dark = (false, "the scene has no ambient light");
+    let (dims, turns) = ((true, "dims the light of the sky"), (true, "turns the light of the sky"));
+    let (points, cuts) = ((false, "the scene has no area lights"), (true, "cuts area lights"));
+    assert_eq!(scene(false, false), [dark, dark, points]);
+    assert_eq!(scene(true, false), [dims, turns, points]);
+    assert_eq!(scene(false, true), [dark, dark, cuts]);
+    assert_eq!(scene(true, true), [dims, turns, cuts]);
+}
+
+#[test]
 fn only_has_the_last_word() {
-    let all = Scene { curved_surfaces: true, soft_shadows: true };
+    let all = Scene { curved_surfaces: true, soft_shadows: true, ambient_light: true, ..Scene::default() };
     for scene in [None, Some(Scene::default()), Some(all)] {
-        let (named, left) = ((true, "named by --only"), (false, "not named by --only"));
-        assert_eq!(decisions(&plan(scene, Some(&[Table::Distance]))), [left, left, named]);
-        assert_eq!(decisions(&plan(scene, Some(&[Table::Horizon, Table::Height]))), [named, named, left]);
-        assert_eq!(decisions(&plan(scene, Some(&[]))), [left, left, left]);
+        for named in [vec![], vec![Table::Distance], vec![Table::Horizon, Table::ApertureCone], Table::ALL.to_vec()] {
+            let plan = plan(scene, Some(&named));
+            let expected = Table::ALL.map(|table| match named.contains(&table) {
+                true => (true, "named by --only"),
+                false => (false, "not named by --only"),
+            });
+            assert_eq!(decisions(&plan), expected);
+            assert_eq!(plan.needs_horizon(), !named.is_empty());
+        }
     }
 }
 
@@ -54,5 +107,15 @@ fn only_has_the_last_word() {
 fn tables_are_planned_in_the_order_of_the_file() {
     let tables: Vec<_> = plan(None, Some(&[Table::Distance])).tables.iter().map(|planned| planned.table).collect();
     assert_eq!(tables, Table::ALL);
-    assert_eq!(Table::ALL.map(Table::name), ["height", "horizon", "distance"]);
+    let names = [
+        "height",
+        "horizon",
+        "distance",
+        "swept_horizon",
+        "swept_distance",
+        "sky_visibility",
+        "bent_normal",
+        "aperture_cone",
+    ];
+    assert_eq!(Table::ALL.map(Table::name), names);
 }

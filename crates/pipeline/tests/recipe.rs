@@ -4,8 +4,8 @@ use barchan_field::shapes::{Dunes, Plane};
 use barchan_field::{Edge, LengthUnit, Shape, Spacing};
 use barchan_import::Fill;
 use barchan_pipeline::{
-    Compression, DistanceRecipe, HeightMapSource, HeightRecipe, HorizonRecipe, Recipe, RecipeError, Scene, ShapeSource,
-    Source, TableEncoding,
+    Compression, CurvedRecipe, DistanceRecipe, HeightMapSource, HeightRecipe, HorizonMethod, HorizonRecipe, Recipe,
+    RecipeError, Scene, ShapeSource, SkyRecipe, Source, TableEncoding,
 };
 
 const PLANE: &str = "source: Shape(shape: Plane(slope_u: 0.5, slope_v: -0.25), width: 3, height: 2)";
@@ -35,8 +35,12 @@ fn a_bare_recipe_is_clamped_square_and_leaves_nothing_out() {
     assert_eq!((recipe.spacing, recipe.unit, recipe.edge), (Spacing::UNIT, LengthUnit::SceneUnit, Edge::Clamp));
     assert_eq!((recipe.scene, recipe.compression), (None, Compression::None));
     assert_eq!((recipe.horizon.directions, recipe.horizon.radius), (32, None));
-    let encodings = [recipe.height.encoding, recipe.horizon.encoding, recipe.distance.encoding];
-    assert_eq!(encodings, [TableEncoding::F16; 3]);
+    assert_eq!((recipe.horizon.arc, recipe.horizon.method), (None, HorizonMethod::Accurate));
+    assert_eq!((recipe.curved.points, recipe.curved.max_error_degrees), (None, None));
+    let Recipe { horizon, distance, curved, sky, .. } = &recipe;
+    assert_eq!(recipe.height.encoding, TableEncoding::F16);
+    let encodings = [horizon.encoding, distance.encoding, curved.encoding, sky.encoding];
+    assert_eq!(encodings, [TableEncoding::Compact; 4]);
 }
 
 #[test]
@@ -52,10 +56,14 @@ fn every_field_is_read() {
         spacing: (0.5, 0.25),
         unit: kilometre,
         edge: wrap,
-        scene: (curved_surfaces: true, soft_shadows: false),
+        scene: (
+            curved_surfaces: true, curvature: (-0.01, 0.02), soft_shadows: false, ambient_light: true, area_lights: true,
+        ),
         height: (encoding: f32),
-        horizon: (directions: 48, radius: 128.5, encoding: u8),
+        horizon: (directions: 48, arc: (-90, 90.5), radius: 128.5, method: exact, encoding: u8),
         distance: (encoding: u8),
+        curved: (points: 3, encoding: f16),
+        sky: (encoding: f32),
         compression: zstd,
     )";
     let dunes = Dunes {
@@ -72,10 +80,24 @@ fn every_field_is_read() {
         spacing: Spacing::new(0.5, 0.25).unwrap(),
         unit: LengthUnit::Kilometre,
         edge: Edge::Wrap,
-        scene: Some(Scene { curved_surfaces: true, soft_shadows: false }),
+        scene: Some(Scene {
+            curved_surfaces: true,
+            curvature: Some((-0.01, 0.02)),
+            soft_shadows: false,
+            ambient_light: true,
+            area_lights: true,
+        }),
         height: HeightRecipe { encoding: TableEncoding::F32 },
-        horizon: HorizonRecipe { directions: 48, radius: Some(128.5), encoding: TableEncoding::U8 },
+        horizon: HorizonRecipe {
+            directions: 48,
+            arc: Some((-90.0, 90.5)),
+            radius: Some(128.5),
+            method: HorizonMethod::Exact,
+            encoding: TableEncoding::U8,
+        },
         distance: DistanceRecipe { encoding: TableEncoding::U8 },
+        curved: CurvedRecipe { points: Some(3), max_error_degrees: None, encoding: TableEncoding::F16 },
+        sky: SkyRecipe { encoding: TableEncoding::F32 },
         compression: Compression::Zstd,
     };
     assert_eq!(Recipe::parse(text).unwrap(), expected);
@@ -151,12 +173,13 @@ fn a_complaint_tells_line_and_column_and_the_nearest_field() {
     assert_eq!((line, column), (5, 5));
     assert_eq!(
         reason,
-        "unknown field `radious`; did you mean `radius`? (accepted: `directions`, `radius`, `encoding`)"
+        "unknown field `radious`; did you mean `radius`? (accepted: `directions`, `arc`, `radius`, `method`, \
+         `encoding`)"
     );
     assert_eq!(
         complaint("colour: 3"),
         "line 1, column 82: unknown field `colour` (accepted: `source`, `spacing`, `unit`, `edge`, `scene`, `height`, \
-         `horizon`, `distance`, `compression`)"
+         `horizon`, `distance`, `curved`, `sky`, `compression`)"
     );
     assert_eq!(
         complaint("unit: kilometer"),
@@ -178,6 +201,15 @@ fn a_value_of_the_wrong_type_is_shown_with_its_field() {
     let long = "x".repeat(60);
     let cut = format!("`horizon.radius` is `{}…`; a number is needed", "x".repeat(40));
     assert_eq!(words(&format!("horizon: (radius: {long})")), cut);
+}
+
+#[test]
+fn points_are_counted_or_follow_from_an_error() {
+    assert_eq!(parse("curved: (max_error_degrees: 0.2)").unwrap().curved.max_error_degrees, Some(0.2));
+    assert_eq!(
+        complaint("curved: (points: 3, max_error_degrees: 0.2)"),
+        "curved: `points` and `max_error_degrees` are both there; one of them is accepted"
+    );
 }
 
 #[test]

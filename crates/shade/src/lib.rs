@@ -12,6 +12,7 @@ mod curved;
 mod horizon;
 mod light;
 mod picture;
+mod sky;
 mod surface;
 mod texture;
 mod traced;
@@ -23,6 +24,7 @@ pub use curved::{
 pub use horizon::HorizonShadow;
 pub use light::DirectionalLight;
 pub use picture::{Palette, Picture, Pixels};
+pub use sky::SkyLight;
 pub use surface::Surface;
 pub use texture::Texture;
 pub use traced::TracedShadow;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::{DirectionalLight, Surface};
+use crate::{DirectionalLight, SkyLight, Surface};
 
 /// The pixels of a picture over a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,6 +106,15 @@ impl Picture {
             let sky = 0.5 + 0.5 * normal.z;
             to_srgb(palette.albedo * (palette.sun * sun + palette.sky * sky))
         });
+        Self { width: pixels.width, height: pixels.height, rgb: colours.into_flattened() }
+    }
+
+    /// Lights a surface by an overcast sky alone.
+    #[must_use]
+    pub fn overcast(pixels: &Pixels, sky: &SkyLight, palette: &Palette) -> Self {
+        // As bright in the open as level ground is under the sun of [`Self::lit`].
+        const CLOUDS: DVec3 = DVec3::new(0.92, 0.96, 1.0);
+        let colours = pixels.map(|x, y| to_srgb(palette.albedo * CLOUDS * sky.irradiance(x, y)));
         Self { width: pixels.width, height: pixels.height, rgb: colours.into_flattened() }
     }
 

@@ -12,18 +12,30 @@ pub struct Texture {
 }
 
 impl Texture {
-    /// Decodes one layer of a table.
+    /// Decodes one layer of a table of one number a texel.
     ///
     /// # Panics
     /// If the table has no such layer.
     #[must_use]
     pub fn new(table: &TableView<'_>, layer: u32) -> Self {
+        Self::of_channel(table, layer, 0)
+    }
+
+    /// Decodes one of the numbers of each texel of a layer.
+    ///
+    /// # Panics
+    /// If the table has no such layer or channel.
+    #[must_use]
+    pub fn of_channel(table: &TableView<'_>, layer: u32, channel: u32) -> Self {
         let descriptor = table.descriptor();
+        let channels = descriptor.format.channels() as usize;
+        assert!((channel as usize) < channels, "channel {channel} of {channels}");
+        let row = |row| table.row(layer, row).skip(channel as usize).step_by(channels);
         Self {
             width: descriptor.width,
             height: descriptor.height,
             wrap: (descriptor.wrap_u, descriptor.wrap_v),
-            values: (0..descriptor.height).flat_map(|row| table.row(layer, row)).collect(),
+            values: (0..descriptor.height).flat_map(row).collect(),
         }
     }
 

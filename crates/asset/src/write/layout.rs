@@ -15,7 +15,7 @@ use crate::asset::{
 };
 use crate::bytes::{SECTION_ALIGN, align_up, put};
 use crate::entry::{ENTRY_BYTES, Entry};
-use crate::{Codec, MAJOR, MAX_SECTIONS, MINOR, crc};
+use crate::{Codec, MAJOR, MAX_SECTIONS, MINOR, SectionKind, crc};
 
 /// What is read back at once.
 const CHUNK_BYTES: usize = 1 << 20;
@@ -29,6 +29,8 @@ pub struct Finished<W> {
     pub bytes: u64,
     /// BLAKE3 of the uncompressed content.
     pub identity: [u8; 32],
+    /// The length of each section's payload in the file, in the order of the file.
+    pub stored_lengths: Vec<(SectionKind, u64)>,
 }
 
 /// A file under construction.
@@ -116,7 +118,8 @@ impl<W: Read + Write + Seek> Layout<W> {
         let identity = identity.finish();
         self.header(&identity)?;
         self.out.flush().map_err(|error| io_error("flushed", self.end, error))?;
-        Ok(Finished { out: self.out, bytes: self.end, identity })
+        let stored_lengths = self.rows.iter().map(|entry| (entry.kind, entry.stored_length)).collect();
+        Ok(Finished { out: self.out, bytes: self.end, identity, stored_lengths })
     }
 
     /// Adds a section to the identity and returns its CRC-32.

@@ -8,17 +8,12 @@ use exr::prelude::{Text, WritableImage};
 use super::Selection;
 use crate::failure::Failure;
 
-/// A single layer is called by the table's name, several by that and their number: `horizon.000`, …
+/// A single layer is called by the table's name, several by that and their number: `horizon.0000`, …; the numbers of a
+/// texel by that and their own names: `bent_normal.u`, …
 pub(super) fn encode(selection: &Selection<'_>) -> Result<Vec<u8>, Failure> {
     let table = selection.table.table.name();
-    let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = selection
-        .layers
-        .clone()
-        .map(|layer| {
-            let name = if selection.single { table.to_owned() } else { format!("{table}.{layer:04}") };
-            AnyChannel::new(Text::new_or_panic(name), FlatSamples::F32(selection.layer_values(layer).collect()))
-        })
-        .collect();
+    let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> =
+        selection.layers.clone().flat_map(|layer| layer_channels(selection, table, layer)).collect();
     let size = (selection.width(), selection.height());
     let attributes = LayerAttributes::named(table);
     let image = Image::from_layer(Layer::new(size, attributes, Encoding::FAST_LOSSLESS, AnyChannels::sort(channels)));
@@ -29,4 +24,17 @@ pub(super) fn encode(selection: &Selection<'_>) -> Result<Vec<u8>, Failure> {
         .to_buffered(&mut bytes)
         .map_err(|error| Failure::Io(format!("the picture cannot be encoded: {error}")))?;
     Ok(bytes.into_inner())
+}
+
+fn layer_channels(selection: &Selection<'_>, table: &str, layer: u32) -> Vec<AnyChannel<FlatSamples>> {
+    let (values, numbers) = (selection.layer_values(layer), selection.numbers());
+    let base = if selection.single { table.to_owned() } else { format!("{table}.{layer:04}") };
+    let [_] = numbers else {
+        let channel = |(index, number): (usize, &&str)| {
+            let samples = values.iter().skip(index).step_by(numbers.len()).copied().collect();
+            AnyChannel::new(Text::new_or_panic(format!("{base}.{number}")), FlatSamples::F32(samples))
+        };
+        return numbers.iter().enumerate().map(channel).collect();
+    };
+    vec![AnyChannel::new(Text::new_or_panic(base), FlatSamples::F32(values))]
 }

@@ -7,7 +7,7 @@ mod text;
 
 use std::ops::Range;
 
-use barchan_asset::Semantic;
+use barchan_asset::{BentNormalView, Semantic, Unit};
 use barchan_pipeline::Table;
 use serde::Serialize;
 
@@ -34,14 +34,39 @@ impl Selection<'_> {
         self.table.descriptor.height as usize
     }
 
-    fn is_horizon(&self) -> bool {
-        self.table.descriptor.semantic == Semantic::HorizonElevation
+    /// Whether values are angles of elevation.
+    fn is_elevation(&self) -> bool {
+        self.table.descriptor.unit == Unit::Radian
     }
 
-    /// The decoded values of one layer, row by row.
-    fn layer_values(&self, layer: u32) -> impl Iterator<Item = f32> {
-        let view = self.table.view();
-        (0..self.table.descriptor.height).flat_map(move |row| view.row(layer, row))
+    fn is_directional(&self) -> bool {
+        self.table.descriptor.semantic.is_directional()
+    }
+
+    /// What the numbers of a texel are called; one alone has the table's name.
+    fn numbers(&self) -> &'static [&'static str] {
+        match self.table.table {
+            Table::BentNormal => &["u", "v", "height"],
+            Table::ApertureCone => &["u", "v", "height", "cosine_of_half_angle"],
+            Table::Height => &["height"],
+            Table::Horizon => &["horizon"],
+            Table::Distance => &["distance"],
+            Table::SweptHorizon => &["swept_horizon"],
+            Table::SweptDistance => &["swept_distance"],
+            Table::SkyVisibility => &["sky_visibility"],
+        }
+    }
+
+    /// The decoded values of one layer, row by row, the numbers of a texel side by side. A bent normal has its height too.
+    fn layer_values(&self, layer: u32) -> Vec<f32> {
+        let (view, descriptor) = (self.table.view(), self.table.descriptor);
+        let rows = 0..descriptor.height;
+        if self.table.table != Table::BentNormal {
+            return rows.flat_map(|row| view.row(layer, row)).collect();
+        }
+        let normals = BentNormalView::new(descriptor, &self.table.payload).expect("checked when it was decoded");
+        let texels = rows.flat_map(|row| (0..descriptor.width).map(move |column| (column, row)));
+        texels.flat_map(|(column, row)| normals.normal(column, row)).collect()
     }
 }
 
@@ -129,13 +154,22 @@ fn encode(format: DumpFormat, selection: &Selection<'_>) -> Result<Vec<u8>, Fail
 
 /// What the numbers in the output are.
 fn value_words(format: DumpFormat, selection: &Selection<'_>) -> &'static str {
-    match format {
-        DumpFormat::Png => "16-bit grey over the table's range",
-        _ if !selection.is_horizon() => "the length unit",
-        DumpFormat::Text => "degrees of elevation",
-        DumpFormat::Csv => "degrees of elevation and slope",
-        DumpFormat::Npy => "slopes",
-        DumpFormat::Exr => "radians of elevation",
+    use DumpFormat::{Csv, Exr, Npy, Png, Text};
+    match (selection.table.descriptor.semantic, format) {
+        (Semantic::BentNormal, Png) => "16-bit red, green, blue for u, v, height from -1 to 1",
+        (Semantic::ApertureCone, Png) => {
+            "16-bit red, green, blue for u, v, height from -1 to 1, alpha for the cosine of the half-angle"
+        }
+        (Semantic::SkyVisibility, Png) => "16-bit grey, white where all of the sky is seen",
+        (_, Png) => "16-bit grey over the table's range",
+        (Semantic::SkyVisibility, _) => "shares of the sky",
+        (Semantic::BentNormal, _) => "u, v and height of unit vectors",
+        (Semantic::ApertureCone, _) => "u, v and height of unit vectors, and cosines of half-angles",
+        _ if !selection.is_elevation() => "the length unit",
+        (_, Text) => "degrees of elevation",
+        (_, Csv) => "degrees of elevation and slope",
+        (_, Npy) => "slopes",
+        (_, Exr) => "radians of elevation",
     }
 }
 

@@ -1,23 +1,34 @@
-//! Float32 arrays for NumPy: `[directions, height, width]`, or `[height, width]` for one layer.
+//! Float32 arrays for NumPy: `[height, width]` with the axes in front that a table has, candidates and directions, and one
+//! behind for the numbers of a texel, if there are several.
 
 use npyz::WriterBuilder;
 
 use super::Selection;
 use crate::failure::Failure;
 
-/// Horizons as slopes, the tangent of their elevation; lengths as they are.
+/// Elevations as slopes, their tangent; everything else as it is.
 pub(super) fn encode(selection: &Selection<'_>) -> Result<Vec<u8>, Failure> {
-    let (height, width) = (selection.height() as u64, selection.width() as u64);
-    let shape = match selection.single {
-        true => vec![height, width],
-        false => vec![selection.layers.len() as u64, height, width],
-    };
-    let is_horizon = selection.is_horizon();
+    let is_elevation = selection.is_elevation();
     let values = selection.layers.clone().flat_map(|layer| selection.layer_values(layer));
-    let values = values.map(|value| if is_horizon { libm::tan(f64::from(value)) as f32 } else { value });
+    let values = values.map(|value| if is_elevation { libm::tan(f64::from(value)) as f32 } else { value });
     let mut bytes = Vec::new();
-    write(&mut bytes, &shape, values).map_err(|error| Failure::Io(format!("the array cannot be encoded: {error}")))?;
+    write(&mut bytes, &shape(selection), values)
+        .map_err(|error| Failure::Io(format!("the array cannot be encoded: {error}")))?;
     Ok(bytes)
+}
+
+/// One layer alone has no axis for layers.
+fn shape(selection: &Selection<'_>) -> Vec<u64> {
+    let (layers, candidates) = (selection.layers.len() as u64, u64::from(selection.table.descriptor.candidates));
+    let mut shape = match (selection.single, candidates) {
+        (true, _) => vec![],
+        (false, 0) => vec![layers],
+        (false, candidates) => vec![candidates, layers / candidates],
+    };
+    shape.extend([selection.height() as u64, selection.width() as u64]);
+    let numbers = selection.numbers().len() as u64;
+    shape.extend((numbers > 1).then_some(numbers));
+    shape
 }
 
 fn write(bytes: &mut Vec<u8>, shape: &[u64], values: impl Iterator<Item = f32>) -> std::io::Result<()> {

@@ -10,10 +10,9 @@ pub(super) fn text(selection: &Selection<'_>) -> String {
     let mut text = String::new();
     for layer in selection.layers.clone() {
         heading(selection, layer, &mut text);
-        let values: Vec<f32> = selection.layer_values(layer).collect();
-        for row in values.chunks_exact(selection.width()) {
+        for row in selection.layer_values(layer).chunks_exact(selection.width() * selection.numbers().len()) {
             for &value in row {
-                let value = if selection.is_horizon() { f64::from(value).to_degrees() } else { f64::from(value) };
+                let value = if selection.is_elevation() { f64::from(value).to_degrees() } else { f64::from(value) };
                 // Writing into a String cannot fail.
                 let _ = write!(text, "{:>10}", number(value));
             }
@@ -26,47 +25,67 @@ pub(super) fn text(selection: &Selection<'_>) -> String {
 fn heading(selection: &Selection<'_>, layer: u32, text: &mut String) {
     let descriptor = &selection.table.descriptor;
     let (semantic, width, height) = (descriptor.semantic.name(), descriptor.width, descriptor.height);
-    let unit = if selection.is_horizon() { "degrees" } else { descriptor.length_unit.symbol() };
-    let azimuth = match descriptor.semantic.is_directional() {
-        true => format!(", direction {layer}, azimuth {}°", number(selection.table.azimuth_degrees(layer))),
+    let unit = match descriptor.unit {
+        barchan_asset::Unit::Radian => " in degrees".to_owned(),
+        barchan_asset::Unit::Length(length) => format!(" in {}", length.symbol()),
+        barchan_asset::Unit::None => String::new(),
+    };
+    let numbers = match selection.numbers() {
+        [_] => String::new(),
+        numbers => format!(", {} of each texel", numbers.join(", ")),
+    };
+    let candidate = match descriptor.candidates {
+        0 => String::new(),
+        _ => format!(", point {}", selection.table.candidate(layer)),
+    };
+    let azimuth = match selection.is_directional() {
+        true => {
+            let (direction, azimuth) = (selection.table.direction(layer), selection.table.azimuth_degrees(layer));
+            format!(", direction {direction}, azimuth {}°", number(azimuth))
+        }
         false => String::new(),
     };
-    let _ = writeln!(text, "# {semantic} in {unit}{azimuth}, {width} × {height}");
+    let _ = writeln!(text, "# {semantic}{unit}{numbers}{candidate}{azimuth}, {width} × {height}");
 }
 
-/// A line per value; horizons as an angle and as a slope. Numbers are written so that they read back to the bit.
+/// A line per texel; elevations as an angle and as a slope. Numbers are written so that they read back to the bit.
 pub(super) fn csv(selection: &Selection<'_>) -> String {
-    let directional = selection.table.descriptor.semantic.is_directional();
+    let is_swept = selection.table.descriptor.candidates > 0;
     let mut text = String::new();
-    text.push_str(if directional { "direction,azimuth_degrees,row,column," } else { "row,column," });
-    text.push_str(match selection.table.table.name() {
-        "horizon" => "elevation_degrees,slope\n",
-        name => return csv_lengths(selection, text + name + "\n"),
-    });
-    each_value(selection, |layer, row, column, value| {
-        let elevation = f64::from(value);
-        let (azimuth, degrees) = (selection.table.azimuth_degrees(layer), elevation.to_degrees());
-        let _ = writeln!(text, "{layer},{azimuth},{row},{column},{degrees},{}", libm::tan(elevation) as f32);
-    });
-    text
-}
-
-fn csv_lengths(selection: &Selection<'_>, mut text: String) -> String {
-    let directional = selection.table.descriptor.semantic.is_directional();
-    each_value(selection, |layer, row, column, value| {
-        if directional {
-            let _ = write!(text, "{layer},{},", selection.table.azimuth_degrees(layer));
-        }
-        let _ = writeln!(text, "{row},{column},{value}");
-    });
-    text
-}
-
-fn each_value(selection: &Selection<'_>, mut visit: impl FnMut(u32, usize, usize, f32)) {
-    let width = selection.width();
+    text.push_str(if is_swept { "point," } else { "" });
+    text.push_str(if selection.is_directional() { "direction,azimuth_degrees,row,column," } else { "row,column," });
+    let names = match selection.is_elevation() {
+        true => "elevation_degrees,slope".to_owned(),
+        false => selection.numbers().join(","),
+    };
+    text += &names;
+    text.push('\n');
     for layer in selection.layers.clone() {
-        for (index, value) in selection.layer_values(layer).enumerate() {
-            visit(layer, index / width, index % width, value);
+        let (numbers, width) = (selection.numbers().len(), selection.width());
+        for (texel, values) in selection.layer_values(layer).chunks_exact(numbers).enumerate() {
+            if is_swept {
+                let _ = write!(text, "{},", selection.table.candidate(layer));
+            }
+            if selection.is_directional() {
+                let (direction, azimuth) = (selection.table.direction(layer), selection.table.azimuth_degrees(layer));
+                let _ = write!(text, "{direction},{azimuth},");
+            }
+            let _ = write!(text, "{},{}", texel / width, texel % width);
+            csv_values(selection, values, &mut text);
         }
     }
+    text
+}
+
+fn csv_values(selection: &Selection<'_>, values: &[f32], text: &mut String) {
+    for &value in values {
+        let _ = match selection.is_elevation() {
+            true => {
+                let elevation = f64::from(value);
+                write!(text, ",{},{}", elevation.to_degrees(), libm::tan(elevation) as f32)
+            }
+            false => write!(text, ",{value}"),
+        };
+    }
+    text.push('\n');
 }

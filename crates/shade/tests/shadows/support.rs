@@ -45,13 +45,13 @@ pub(crate) fn surface(field: &HeightField) -> Surface {
 pub(crate) struct Horizons(TextureTable);
 
 impl Horizons {
-    /// The baked horizon of a field, in f32.
+    /// The exact horizon of a field, in f32: what is tested here is what is made of it.
     pub(crate) fn baked(field: &HeightField, directions: u32, radius: f64) -> Self {
         let params = HorizonParams {
             azimuths: Azimuths::full_circle(directions),
             radius,
             distance: false,
-            method: Method::default(),
+            method: Method::Exact,
         };
         let map = horizon::bake(field, &params, &Exec::new(1).unwrap()).unwrap();
         Self::of(field.grid(), directions, radius, &map.elevation_radians)
