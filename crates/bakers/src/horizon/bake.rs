@@ -18,7 +18,7 @@ use crate::{BakeError, Exec};
 
 /// How much higher than what was found a ceiling may stand without being looked at, as a slope: half a degree on level
 /// ground. Ceilings stand about so much too high themselves.
-const CEILING_TOLERANCE: f64 = 0.02;
+const CEILING_TOLERANCE: f64 = 0.05;
 
 /// Bakes all directions at once: the same bytes for any number of threads.
 pub fn bake(field: &HeightField, params: &HorizonParams, exec: &Exec) -> Result<HorizonMap, BakeError> {

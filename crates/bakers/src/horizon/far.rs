@@ -22,8 +22,7 @@ pub(crate) const BLOCK: usize = 4;
 pub(crate) enum Care {
     /// Only in the column of the hull's point.
     Column,
-    /// In every column, and where the ray crosses a row: at a slight tilt that lies many columns away, and a wall along the
-    /// ray is highest there.
+    /// In every column of its block.
     Block,
 }
 
@@ -193,11 +192,13 @@ impl Scene<'_> {
             }
         }
         let vector = |values: [f32; LANES]| -> f32x16<S> { values.simd_into(simd) };
+        // A block that another texel saw may lie beyond this one's radius.
+        let radius = f32x16::splat(simd, self.lines.radius as f32);
         for step in 0..BLOCK {
             let distance = vector(first) + step as f32;
             let (upper, lower, down) = (vector(upper[step]), vector(lower[step]), vector(down[step]));
             let rise = (upper - eye) + (lower - upper) * down;
-            best.raise(rise / distance - distance * self.bend, distance);
+            best.raise_these(distance.simd_le(radius), rise / distance - distance * self.bend, distance);
         }
     }
 
@@ -228,24 +229,21 @@ impl Scene<'_> {
         while above != 0 {
             let l = above.trailing_zeros() as usize % LANES;
             above &= above - 1;
-            let block = (column + ahead[l] as usize) / BLOCK;
-            let found = self.follow_wholly(column, lane + l, block * BLOCK, (slopes[l], distances[l]));
-            (slopes[l], distances[l]) = found;
+            let highest = column + ahead[l] as usize;
+            (slopes[l], distances[l]) = self.follow_wholly(column, lane + l, highest, (slopes[l], distances[l]));
         }
         best.slope = slopes.simd_into(simd);
         best.distance = distances.simd_into(simd);
     }
 
-    /// Slope and distance of the highest point of one texel's ray in the four columns from `first` on and around them, or
-    /// of the one known.
-    fn follow_wholly(&self, column: usize, line: usize, first: usize, known: (f32, f32)) -> (f32, f32) {
+    /// Slope and distance of the highest point of one texel's ray on both sides of a column, or of the one known.
+    fn follow_wholly(&self, column: usize, line: usize, highest: usize, known: (f32, f32)) -> (f32, f32) {
         let ray = OwnRay::new(*self, column, line);
         let mut best = HorizonPoint { slope: f64::from(known.0), distance: f64::from(known.1) };
-        for column in first - 1..first + BLOCK {
-            ray.cross_column(column, &mut best);
-        }
+        ray.cross_column(highest - 1, &mut best);
+        ray.cross_column(highest, &mut best);
         if self.lines.octant.tilt * BLOCK as f64 <= 1.0 {
-            ray.cross_rows_around(first, first + BLOCK - 1, &mut best);
+            ray.cross_rows_around(highest - 1, highest, &mut best);
         }
         (best.slope as f32, best.distance as f32)
     }

@@ -26,7 +26,7 @@ struct Effort {
     exact: usize,
     /// How many columns share an answer of the hulls.
     every: usize,
-    /// Whether the ceiling is followed as well as the line, and the rows that a ray crosses as well as the columns.
+    /// Whether the ceiling is followed as well as the line, and a line's block as well as its highest column.
     thorough: bool,
 }
 
@@ -34,7 +34,7 @@ impl Effort {
     fn of(method: Method) -> Self {
         match method {
             Method::Sweep => Self { near: 4, exact: 1, every: 4, thorough: false },
-            Method::Accurate | Method::Exact => Self { near: 8, exact: usize::MAX, every: 1, thorough: true },
+            Method::Accurate | Method::Exact => Self { near: 12, exact: usize::MAX, every: 2, thorough: true },
         }
     }
 
@@ -167,7 +167,7 @@ impl Job<'_> {
         }
         if sight.blocks.is_some() {
             let Group { line, ceiling, seen } = group;
-            let care = Care::Column;
+            let care = if THOROUGH { Care::Block } else { Care::Column };
             let look = Look { care, every: sight.every };
             for (index, seen) in seen.iter_mut().enumerate() {
                 let farther = index == 1;
