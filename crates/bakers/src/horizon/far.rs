@@ -242,9 +242,7 @@ impl Scene<'_> {
         let mut best = HorizonPoint { slope: f64::from(known.0), distance: f64::from(known.1) };
         ray.cross_column(highest - 1, &mut best);
         ray.cross_column(highest, &mut best);
-        if self.lines.octant.tilt * BLOCK as f64 <= 1.0 {
-            ray.cross_rows_around(highest - 1, highest, &mut best);
-        }
+        ray.cross_rows_around(highest - 1, highest, &mut best);
         (best.slope as f32, best.distance as f32)
     }
 

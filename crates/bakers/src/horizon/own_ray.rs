@@ -119,8 +119,8 @@ impl<'a> OwnRay<'a> {
         if self.bend == 0.0 { level } else { level + (self.bend * start * start).min(self.bend * end * end) }
     }
 
-    /// The row crossings around some columns: at a slight tilt many columns away, and a wall along the ray is highest there.
-    /// A line's texels are up to half a row beside it and a ceiling reaches a row further, so the second row may be meant.
+    /// The row crossings around some columns, where a wall along the ray is highest: at a slight tilt many columns away. A
+    /// ceiling reaches two rows beyond the ray, so the third row from it may be meant.
     pub(crate) fn cross_rows_around(&self, first: usize, last: usize, best: &mut HorizonPoint) {
         let tilt = self.scene.lines.octant.tilt;
         if tilt == 0.0 {
@@ -129,10 +129,10 @@ impl<'a> OwnRay<'a> {
         let row = |column: usize| (tilt * (column - self.column) as f64) as usize;
         for row in [row(first), row(last) + 1, row(last) + 2, row(last) + 3] {
             let ahead = row as f64 * self.columns_per_row;
-            let column = self.column + ahead as usize;
-            if column > self.column && ahead <= self.scene.lines.radius && column <= self.last_column {
-                self.cross_column(column - 1, best);
-                self.cross_column(column, best);
+            let farthest = self.scene.lines.radius.min((self.last_column - self.column) as f64);
+            if ahead >= 1.0 && ahead <= farthest {
+                // A crossing on a column ends the piece of ray before it.
+                self.cross_column(self.column + ahead.ceil() as usize - 1, best);
             }
         }
     }

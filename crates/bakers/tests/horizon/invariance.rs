@@ -4,7 +4,7 @@ use barchan_bakers::Exec;
 use barchan_bakers::horizon::{self, HorizonMap};
 use barchan_field::{Edge, Grid, HeightField, Shape, Spacing};
 
-use crate::support::{at, fill, grid, noise, params, sweep};
+use crate::support::{at, bake, fill, grid, noise, params};
 
 const EDGES: [Edge; 2] = [Edge::Wrap, Edge::Clamp];
 
@@ -103,7 +103,7 @@ impl Symmetry {
 }
 
 /// Bit for bit, but for quarter turns at the diagonals of square texels: rows and columns take each other's part there, and
-/// the sweep, which goes by columns, may be led to another point of the ray.
+/// the bake, which goes by columns, may be led to another point of the ray.
 #[test]
 fn a_mirrored_or_turned_field_has_the_mirrored_or_turned_map() {
     for symmetry in &SYMMETRIES {
@@ -113,7 +113,7 @@ fn a_mirrored_or_turned_field_has_the_mirrored_or_turned_map() {
             let with_diagonals = if symmetry.swaps_axes && spacing == (1.0, 1.0) { 20 } else { 8 };
             for directions in [4, 12, with_diagonals] {
                 let params = params(directions, 60.0);
-                let differences = symmetry.differences(&sweep(&field, &params), &sweep(&moved, &params));
+                let differences = symmetry.differences(&bake(&field, &params), &bake(&moved, &params));
                 assert!(
                     differences.is_empty(),
                     "{}, {edge:?}, {spacing:?}, {directions} directions: {} texels differ, {:?} first",
@@ -133,8 +133,8 @@ fn raising_the_whole_field_changes_nothing() {
         let exact = |column, row| (noise(3, column, row) * 262_144.0).floor() / 65_536.0;
         let grid = grid((19, 22), (1.0, 1.5), edge);
         let params = params(16, 25.0);
-        let low = sweep(&fill(grid, exact), &params);
-        let high = sweep(&fill(grid, |column, row| exact(column, row) + 64.0), &params);
+        let low = bake(&fill(grid, exact), &params);
+        let high = bake(&fill(grid, |column, row| exact(column, row) + 64.0), &params);
         for (low, high) in low.elevation_radians.iter().zip(&high.elevation_radians) {
             assert!((low - high).abs() <= 1e-6, "{low} and {high}");
         }
@@ -148,7 +148,7 @@ fn a_field_twice_as_large_in_every_way_has_the_same_elevations_twice_as_far() {
         let times = f64::from(scale);
         let grid = Grid { spacing: Spacing::new(times, 1.5 * times).unwrap(), ..*small.grid() };
         let large = HeightField::new(grid, small.samples().iter().map(|height| height * scale).collect()).unwrap();
-        let (of_small, of_large) = (sweep(&small, &params(14, 25.0)), sweep(&large, &params(14, 25.0 * times)));
+        let (of_small, of_large) = (bake(&small, &params(14, 25.0)), bake(&large, &params(14, 25.0 * times)));
         assert_eq!(bits(&of_small.elevation_radians), bits(&of_large.elevation_radians));
         let farther: Vec<f32> = of_small.distance.unwrap().iter().map(|distance| distance * scale).collect();
         assert_eq!(bits(&farther), bits(&of_large.distance.unwrap()));

@@ -20,17 +20,18 @@ pub(crate) fn fill(grid: Grid, height: impl Fn(u32, u32) -> f32) -> HeightField 
     HeightField::new(grid, samples).unwrap()
 }
 
+/// What the exact method is asked for; others are said where they are meant.
 pub(crate) fn params(directions: u32, radius: f64) -> HorizonParams {
-    HorizonParams { azimuths: Azimuths::full_circle(directions), radius, distance: true, method: Method::default() }
+    HorizonParams { azimuths: Azimuths::full_circle(directions), radius, distance: true, method: Method::Exact }
 }
 
-pub(crate) fn sweep(field: &HeightField, params: &HorizonParams) -> HorizonMap {
+pub(crate) fn bake(field: &HeightField, params: &HorizonParams) -> HorizonMap {
     horizon::bake(field, params, &Exec::new(1).unwrap()).unwrap()
 }
 
-/// The maps of the sweep and of the reference, for what both must get right.
+/// The maps of the exact method and of the reference, for what both must get right.
 pub(crate) fn both(field: &HeightField, params: &HorizonParams) -> [HorizonMap; 2] {
-    [sweep(field, params), reference::bake(field, params, &Exec::new(1).unwrap()).unwrap()]
+    [bake(field, params), reference::bake(field, params, &Exec::new(1).unwrap()).unwrap()]
 }
 
 /// Elevation in radians, and distance, as stored.
