@@ -165,7 +165,7 @@ impl Job<'_> {
         if let Some(end) = &sight.end {
             scene.consider_end(simd, end, lane, eye, &mut best);
         }
-        if sight.blocks.is_some() {
+        if sight.ceiling_blocks.is_some() {
             let Group { line, ceiling, seen } = group;
             let care = if THOROUGH { Care::Block } else { Care::Column };
             let look = Look { care, every: sight.every };
@@ -211,8 +211,10 @@ struct Sight {
     near: usize,
     exact: usize,
     every: usize,
-    /// The first and the last block that the hulls cover.
+    /// The first and the last block that the line's hull covers: those that lie within the radius.
     blocks: Option<(usize, usize)>,
+    /// The same for the ceiling's, which may end in a block that the radius cuts.
+    ceiling_blocks: Option<(usize, usize)>,
     /// What lies between the last whole block and the radius.
     end: Option<RayEnd>,
 }
@@ -226,27 +228,30 @@ impl Sight {
         let in_reach = (column + lines.radius as usize + 1) / BLOCK;
         let blocks_end = in_reach.min((sweep.columns_in_sight - 1) / BLOCK);
         let blocks = (blocks_end > first).then(|| (first, blocks_end - 1));
+        let ceiling_end = ((column + lines.radius as usize) / BLOCK + 1).min((sweep.columns_in_sight - 1) / BLOCK);
+        let ceiling_blocks = (ceiling_end > first).then(|| (first, ceiling_end - 1));
         let end = (lines.radius > exact as f64).then(|| {
             let after = effort.thorough.then(|| first.max(blocks_end) * BLOCK);
             RayEnd::new(lines, column, after, sweep.columns_in_sight)
         });
-        Self { near, exact, every: effort.every, blocks, end }
+        Self { near, exact, every: effort.every, blocks, ceiling_blocks, end }
     }
 }
 
 impl Group {
     #[inline(always)]
     fn slide<S: Simd, const THOROUGH: bool>(&mut self, simd: S, scene: &Scene<'_>, lane: usize, sight: &Sight) {
-        let Some((first, last)) = sight.blocks else { return };
-        self.line.slide_to(
-            simd,
-            first,
-            last,
-            scene.bend,
-            #[inline(always)]
-            |block| scene.line_point(simd, lane, block),
-        );
-        if THOROUGH {
+        if let Some((first, last)) = sight.blocks {
+            self.line.slide_to(
+                simd,
+                first,
+                last,
+                scene.bend,
+                #[inline(always)]
+                |block| scene.line_point(simd, lane, block),
+            );
+        }
+        if let Some((first, last)) = sight.ceiling_blocks.filter(|_| THOROUGH) {
             self.ceiling.slide_to(
                 simd,
                 first,
