@@ -20,7 +20,9 @@
 use std::any::Any;
 
 use barchan_bakers::Exec;
-use barchan_bakers::horizon::{self, Azimuths, BentLayer, HorizonParams, Method, bake_bent};
+use barchan_bakers::horizon::{
+    self, Azimuths, BentLayer, HorizonLayer, HorizonParams, Method, bake_bent, bake_direction,
+};
 use barchan_bakers::sky::{SkyAccumulator, SkyParams};
 use barchan_bakers::swept::{CurvatureRange, Points, SweptBaker, SweptParams};
 
@@ -222,7 +224,16 @@ impl Case {
         };
         let params = HorizonParams { azimuths: self.azimuths, radius, distance: self.distance, method: self.method };
         let work: Box<dyn FnMut() -> Result<Box<dyn Any>, StudyError> + 'a> = match self.work {
-            Work::Map => Box::new(move || Ok(Box::new(horizon::bake(field, &params, exec)?))),
+            Work::Map => {
+                // One layer for all directions, as a bake that streams has it.
+                let mut layer = HorizonLayer::new(field, &params)?;
+                Box::new(move || {
+                    for direction in 0..params.directions() {
+                        bake_direction(field, &params, direction, exec, &mut layer)?;
+                    }
+                    Ok(Box::new(()))
+                })
+            }
             Work::Bent => Box::new(move || {
                 let mut layer = BentLayer::new(field)?;
                 for direction in 0..params.directions() {

@@ -46,6 +46,16 @@ impl Seen {
     }
 }
 
+/// Sixteen texels of a column that look along their rays.
+#[derive(Clone, Copy)]
+pub(crate) struct Eyes<S: Simd> {
+    pub(crate) simd: S,
+    pub(crate) column: usize,
+    /// The first one's line.
+    pub(crate) lane: usize,
+    pub(crate) height: f32x16<S>,
+}
+
 /// The relief as the lines of a block of lines see it.
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'a> {
@@ -106,21 +116,19 @@ impl Scene<'_> {
     #[inline(always)]
     pub(crate) fn consider<S: Simd, const DISTANCE: bool>(
         &self,
-        simd: S,
-        column: usize,
-        lane: usize,
-        eye: f32x16<S>,
+        eyes: Eyes<S>,
         part: Option<Part<'_, S>>,
         seen: &mut Seen,
         look: Look,
         best: &mut Best<S, DISTANCE>,
     ) {
+        let column = eyes.column;
         let Some(part) = part else { return };
-        if !self.may_be_higher(simd, column, eye, part, best) {
+        if !self.may_be_higher(eyes, part, best) {
             return;
         }
         if seen.from / look.every != column / look.every {
-            let highest = self.highest(simd, column, eye, part);
+            let highest = self.highest(eyes, part);
             let ahead: [f32; LANES] = highest.columns.into();
             seen.from = column;
             seen.columns = std::array::from_fn(
@@ -129,8 +137,8 @@ impl Scene<'_> {
             );
         }
         match look.care {
-            Care::Column => self.cross(simd, column, lane, eye, seen.columns, best),
-            Care::Block => self.follow(simd, column, lane, eye, seen.columns, best),
+            Care::Column => self.cross(eyes, seen.columns, best),
+            Care::Block => self.follow(eyes, seen.columns, best),
         }
     }
 
@@ -138,13 +146,11 @@ impl Scene<'_> {
     #[inline(always)]
     fn cross<S: Simd, const DISTANCE: bool>(
         &self,
-        simd: S,
-        from: usize,
-        lane: usize,
-        eye: f32x16<S>,
+        eyes: Eyes<S>,
         columns: [usize; LANES],
         best: &mut Best<S, DISTANCE>,
     ) {
+        let Eyes { simd, column: from, lane, height: eye } = eyes;
         let (mut upper, mut lower) = ([0.0_f32; LANES], [0.0_f32; LANES]);
         let (mut down, mut distance) = ([0.0_f32; LANES], [0.0_f32; LANES]);
         for l in 0..LANES {
@@ -165,15 +171,8 @@ impl Scene<'_> {
 
     /// Each lane's own ray where it crosses the columns of a block.
     #[inline(always)]
-    fn follow<S: Simd, const DISTANCE: bool>(
-        &self,
-        simd: S,
-        from: usize,
-        lane: usize,
-        eye: f32x16<S>,
-        seen: [usize; LANES],
-        best: &mut Best<S, DISTANCE>,
-    ) {
+    fn follow<S: Simd, const DISTANCE: bool>(&self, eyes: Eyes<S>, seen: [usize; LANES], best: &mut Best<S, DISTANCE>) {
+        let Eyes { simd, column: from, lane, height: eye } = eyes;
         let zeros = [[0.0_f32; LANES]; BLOCK];
         let (mut upper, mut lower, mut down) = (zeros, zeros, zeros);
         let mut first = [0.0_f32; LANES];
@@ -207,18 +206,16 @@ impl Scene<'_> {
     #[inline(always)]
     pub(crate) fn consider_ceiling<S: Simd, const DISTANCE: bool>(
         &self,
-        simd: S,
-        column: usize,
-        lane: usize,
-        eye: f32x16<S>,
+        eyes: Eyes<S>,
         part: Option<Part<'_, S>>,
         best: &mut Best<S, DISTANCE>,
     ) {
+        let Eyes { simd, column, lane, .. } = eyes;
         let Some(part) = part else { return };
-        if !self.may_be_higher(simd, column, eye, part, best) {
+        if !self.may_be_higher(eyes, part, best) {
             return;
         }
-        let highest = self.highest(simd, column, eye, part);
+        let highest = self.highest(eyes, part);
         let slope = highest.heights / highest.columns - highest.columns * self.bend;
         let mut above = slope.simd_gt(best.slope + self.tolerance).to_bitmask();
         if above == 0 {
@@ -247,7 +244,8 @@ impl Scene<'_> {
     }
 
     #[inline(always)]
-    fn highest<S: Simd>(&self, simd: S, column: usize, eye: f32x16<S>, part: Part<'_, S>) -> Points<S> {
+    fn highest<S: Simd>(&self, eyes: Eyes<S>, part: Part<'_, S>) -> Points<S> {
+        let Eyes { simd, column, height: eye, .. } = eyes;
         let observer = Points { columns: f32x16::splat(simd, column as f32), heights: eye - self.datum };
         if part.from_top {
             part.hull.highest_from_top(simd, observer, self.bend)
@@ -260,12 +258,11 @@ impl Scene<'_> {
     #[inline(always)]
     fn may_be_higher<S: Simd, const DISTANCE: bool>(
         &self,
-        simd: S,
-        column: usize,
-        eye: f32x16<S>,
+        eyes: Eyes<S>,
         part: Part<'_, S>,
         best: &Best<S, DISTANCE>,
     ) -> bool {
+        let Eyes { simd, column, height: eye, .. } = eyes;
         // A ray may cross a row on the way to the first column.
         let near = (part.places.0 * BLOCK - column) as f32 - 1.0;
         let far = (part.places.1 * BLOCK + BLOCK - column) as f32;
@@ -278,12 +275,11 @@ impl Scene<'_> {
     #[inline(always)]
     pub(crate) fn consider_end<S: Simd, const DISTANCE: bool>(
         &self,
-        simd: S,
+        eyes: Eyes<S>,
         end: &RayEnd,
-        lane: usize,
-        eye: f32x16<S>,
         best: &mut Best<S, DISTANCE>,
     ) {
+        let Eyes { simd, lane, height: eye, .. } = eyes;
         for knot in &end.knots[..end.count] {
             let (upper, lower) = (self.load(simd, knot.place + lane), self.load(simd, knot.place + 1 + lane));
             let near = (upper - eye) + (lower - upper) * knot.down;

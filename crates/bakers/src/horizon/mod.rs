@@ -18,9 +18,14 @@
 //!   along the ray. Where it falls away below its own tangent, the supremum is the limit s → 0, and d is 0.
 //! - Of several points at the same slope the farthest counts, so a level field has d = radius, never 0.
 //!
+//! # Methods
+//!
+//! [`Method::Sweep`] and [`Method::Accurate`] are line sweeps in f32 that name points of the texel's own ray and can miss
+//! the highest; [`Method::Exact`] proves or corrects what they found, in f64. How each works: `sweep`, `near`, `far`, `exact`.
+//!
 //! # Conventions
 //!
-//! N azimuths 2πk/N, k = 0 along +u, counter-clockwise as seen in the picture; v points up the picture. φ̂ is a unit
+//! N azimuths 2πk/N, k = 0 along +u, or an arc, counter-clockwise as seen in the picture; v points up the picture. φ̂ is a unit
 //! vector in lengths, not in texels: with texels twice as high as wide, 45° is not the texel diagonal.
 
 mod atan;

@@ -10,6 +10,7 @@
 use fearless_simd::{Simd, f32x16, prelude::*};
 
 use super::best::Best;
+use super::far::{Eyes, Scene};
 use super::lines::{Lines, MARGIN, STRIDE, floor_within_one};
 
 /// Where a piece of ray ends in its cell.
@@ -107,19 +108,17 @@ impl NearRay {
         }
     }
 
-    /// Raises `best` to the highest point of the rays of sixteen texels that start at `first`, their place in `heights`
-    /// less that of line 0.
+    /// Raises `best` to the highest point of the rays of sixteen texels.
     #[inline(always)]
     pub(crate) fn consider<S: Simd, const DISTANCE: bool>(
         &self,
-        simd: S,
-        tilt: f32,
-        bend: f32,
-        heights: &[f32],
-        lane: usize,
-        eye: f32x16<S>,
+        scene: &Scene<'_>,
+        eyes: Eyes<S>,
         best: &mut Best<S, DISTANCE>,
     ) {
+        let Eyes { simd, lane, height: eye, .. } = eyes;
+        let Scene { lines, heights, bend, .. } = *scene;
+        let tilt = lines.octant.tilt as f32;
         let splat = |value: f32| f32x16::splat(simd, value);
         let mut start_height = splat(0.0);
         for piece in &self.pieces {

@@ -9,7 +9,7 @@ use fearless_simd::{Level, Simd, dispatch, f32x16, prelude::*};
 
 use super::atan::atan;
 use super::best::Best;
-use super::far::{BLOCK, Care, Look, RayEnd, Scene, Seen};
+use super::far::{BLOCK, Care, Eyes, Look, RayEnd, Scene, Seen};
 use super::lane_hull::LANES;
 use super::lines::{LINES, MARGIN, STRIDE};
 use super::near::NearRay;
@@ -137,7 +137,9 @@ impl Job<'_> {
             for (index, group) in groups.iter_mut().enumerate() {
                 let lane = index * LANES;
                 group.slide::<S, THOROUGH>(simd, &self.scene, lane, &sight);
-                let best = self.look::<S, THOROUGH, DISTANCE>(simd, column, lane, group, near, &sight);
+                let height = self.scene.load(simd, column * STRIDE + MARGIN + lane);
+                let eyes = Eyes { simd, column, lane, height };
+                let best = self.look::<S, THOROUGH, DISTANCE>(eyes, group, near, &sight);
                 self.store(simd, best, lane, &mut values[in_tile], &mut distance[in_tile]);
             }
             if in_tile == 0 || column == self.columns.start {
@@ -150,33 +152,29 @@ impl Job<'_> {
     #[inline(always)]
     fn look<S: Simd, const THOROUGH: bool, const DISTANCE: bool>(
         &self,
-        simd: S,
-        column: usize,
-        lane: usize,
+        eyes: Eyes<S>,
         group: &mut Group,
         near: &NearRay,
         sight: &Sight,
     ) -> Best<S, DISTANCE> {
-        let scene = &self.scene;
-        let eye = scene.load(simd, column * STRIDE + MARGIN + lane);
+        let (scene, simd) = (&self.scene, eyes.simd);
         let mut best = Best::none(simd);
-        let tilt = scene.lines.octant.tilt as f32;
-        near.consider(simd, tilt, scene.bend, scene.heights, lane, eye, &mut best);
+        near.consider(scene, eyes, &mut best);
         if let Some(end) = &sight.end {
-            scene.consider_end(simd, end, lane, eye, &mut best);
+            scene.consider_end(eyes, end, &mut best);
         }
         if sight.ceiling_blocks.is_some() {
             let Group { line, ceiling, seen } = group;
             let care = if THOROUGH { Care::Block } else { Care::Column };
             let look = Look { care, every: sight.every };
-            for (index, seen) in seen.iter_mut().enumerate() {
-                let farther = index == 1;
-                let line_part = if farther { line.farther(simd) } else { line.nearer(simd) };
-                scene.consider(simd, column, lane, eye, line_part, seen, look, &mut best);
-                if THOROUGH {
-                    let ceiling_part = if farther { ceiling.farther(simd) } else { ceiling.nearer(simd) };
-                    scene.consider_ceiling(simd, column, lane, eye, ceiling_part, &mut best);
-                }
+            let [seen_near, seen_far] = seen;
+            scene.consider(eyes, line.nearer(simd), seen_near, look, &mut best);
+            if THOROUGH {
+                scene.consider_ceiling(eyes, ceiling.nearer(simd), &mut best);
+            }
+            scene.consider(eyes, line.farther(simd), seen_far, look, &mut best);
+            if THOROUGH {
+                scene.consider_ceiling(eyes, ceiling.farther(simd), &mut best);
             }
         }
         best

@@ -166,3 +166,44 @@ fn a_spike_and_a_pit_a_thousand_texels_high() {
         }
     }
 }
+
+/// Level ground with a wall along its 32nd column, looked at along +u by every method: `wall` high over texels of length 1.
+#[track_caller]
+fn check_wall(ground: f32, wall: f32, height: u32, tolerance: f64) {
+    let field =
+        fill(grid((64, height), (1.0, 1.0), Edge::Clamp), |column, _| if column < 32 { ground } else { ground + wall });
+    for method in Method::ALL {
+        let map = bake(&field, &HorizonParams { method, ..params(4, 40.0) });
+        for column in 0..32 {
+            let away = f64::from(32 - column);
+            let (elevation, distance) = at(&map, 0, column, 0);
+            let expected = (f64::from(wall) / away).atan();
+            let name = method.name();
+            assert!(
+                (elevation - expected).abs() <= tolerance,
+                "{name}, column {column}: {elevation:e} for {expected:e}"
+            );
+            assert!((distance - away).abs() <= 1e-5, "{name}, column {column}: seen at {distance} instead of {away}");
+        }
+    }
+}
+
+#[test]
+fn a_wall_of_slope_a_million_is_seen_at_its_top() {
+    check_wall(0.0, 1e6, 3, 2e-7);
+}
+
+#[test]
+fn a_wall_on_ground_ten_million_high_is_seen_as_on_any_other() {
+    check_wall(1e7, 4.0, 3, 2e-7);
+}
+
+#[test]
+fn a_subnormal_wall_has_its_subnormal_elevation() {
+    check_wall(0.0, 1e-40, 3, 3e-45);
+}
+
+#[test]
+fn a_map_one_texel_high_sees_along_itself() {
+    check_wall(0.0, 5.0, 1, 2e-7);
+}
