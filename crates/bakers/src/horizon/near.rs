@@ -11,6 +11,7 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 
 use super::best::Best;
 use super::far::{Eyes, Scene};
+use super::lane_hull::LANES;
 use super::lines::{Lines, MARGIN, STRIDE, floor_within_one};
 
 /// Where a piece of ray ends in its cell.
@@ -122,7 +123,7 @@ impl NearRay {
         let splat = |value: f32| f32x16::splat(simd, value);
         let mut start_height = splat(0.0);
         for piece in &self.pieces {
-            let height = |place: usize| f32x16::from_slice(simd, &heights[place + lane..][..16]) - eye;
+            let height = |place: usize| f32x16::from_slice(simd, &heights[place + lane..][..LANES]) - eye;
             let [h00, h01] = [height(piece.corner), height(piece.corner + 1)];
             let [h10, h11] = [height(piece.next), height(piece.next + 1)];
             let twist = (h11 - h10) - (h01 - h00);
@@ -152,7 +153,7 @@ impl NearRay {
             start_height = end_height;
         }
         for knot in &self.knots {
-            let height = |place: usize| f32x16::from_slice(simd, &heights[place + lane..][..16]);
+            let height = |place: usize| f32x16::from_slice(simd, &heights[place + lane..][..LANES]);
             let (upper, lower) = (height(knot.place), height(knot.place + 1));
             let rise = (upper - eye) + (lower - upper) * knot.down;
             best.raise_farther(rise * (1.0 / knot.distance) - bend * knot.distance, splat(knot.distance));
