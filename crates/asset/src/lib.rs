@@ -42,6 +42,7 @@ mod asset;
 mod azimuths;
 mod bytes;
 mod crc;
+mod curvature;
 mod descriptor;
 mod entry;
 mod error;
@@ -66,6 +67,7 @@ mod write;
 
 pub use asset::{Asset, MAJOR, MAX_SECTIONS, MINOR};
 pub use azimuths::Azimuths;
+pub use curvature::VertexFlags;
 pub use descriptor::{DescriptorError, MAX_EXTENT, MAX_LAYERS, SECTION_VERSION, TextureDescriptor};
 pub use error::{OpenError, SectionFault};
 pub use kind::SectionKind;

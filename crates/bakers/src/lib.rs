@@ -3,6 +3,7 @@
 //! A baker opens no file, prints nothing and starts no thread of its own: how work runs is said by [`Exec`], which must
 //! not change a bit of the result.
 
+pub mod curvature;
 mod error;
 mod exec;
 pub mod horizon;

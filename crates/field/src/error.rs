@@ -59,4 +59,46 @@ pub enum FieldError {
         /// What would be accepted.
         accepted: &'static str,
     },
+    /// More vertices than a triangle can name.
+    #[error("the mesh has {found} vertices; up to 4294967295 would be accepted")]
+    VertexCount {
+        /// Vertices given.
+        found: u64,
+    },
+    /// A coordinate is not a usable number.
+    #[error("vertex {vertex} has the coordinate {value}; finite coordinates up to 1e30 would be accepted")]
+    VertexPosition {
+        /// The first such vertex, counted from 0.
+        vertex: u64,
+        /// The coordinate.
+        value: f64,
+    },
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle} names vertex {vertex}; there are {vertices} vertices, counted from 0")]
+    TriangleCorner {
+        /// The first such triangle, counted from 0.
+        triangle: u64,
+        /// The vertex it names.
+        vertex: u32,
+        /// How many there are.
+        vertices: u64,
+    },
+    /// Not one value per vertex.
+    #[error("there are {found} {attribute} for {expected} vertices; one per vertex is needed")]
+    AttributeCount {
+        /// `texture coordinates` or `normals`.
+        attribute: &'static str,
+        /// Values given.
+        found: u64,
+        /// Vertices.
+        expected: u64,
+    },
+    /// A value of a vertex is not finite.
+    #[error("the {attribute} of vertex {vertex} are not finite; finite numbers are needed")]
+    AttributeNotFinite {
+        /// `texture coordinates` or `normals`.
+        attribute: &'static str,
+        /// The first such vertex, counted from 0.
+        vertex: u64,
+    },
 }

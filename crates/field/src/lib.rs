@@ -1,4 +1,4 @@
-//! Height fields with units, edge policy and sampling rules, and closed-form shapes.
+//! Height fields with units, edge policy and sampling rules, triangle meshes, and closed forms of both.
 //!
 //! # The frame
 //!
@@ -20,9 +20,11 @@
 mod error;
 mod grid;
 mod height_field;
+mod mesh;
 pub mod shapes;
 
 pub use error::FieldError;
 pub use grid::{Edge, Grid, LengthUnit, Spacing};
 pub use height_field::HeightField;
+pub use mesh::Mesh;
 pub use shapes::Shape;

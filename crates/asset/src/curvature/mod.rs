@@ -1,0 +1,5 @@
+//! Curvature per vertex of a mesh.
+
+mod flags;
+
+pub use flags::VertexFlags;
