@@ -2,8 +2,7 @@
 
 use super::super::ParametricSurface;
 
-/// Cells of the table along u and along v: sixteen to each half-wave of the shortest waves a sheet may have would need eight times as
-/// many, but then the cells only spread vertices; they do not place them off the surface.
+/// Cells of the table along u and along v. They say where vertices go, so coarse cells cost evenness and nothing else.
 const CELLS: usize = 256;
 
 /// What a unit of u and of v is worth on the surface, by rows of equal v.

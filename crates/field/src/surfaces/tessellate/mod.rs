@@ -55,8 +55,8 @@ pub struct Tessellation {
     pub uv_seam: bool,
 }
 
-/// How vertices lie and are joined. Aspects, 1 to 1000, are long over short side; the long side runs along the lines of the surface
-/// that bend least: along u on a torus, along v elsewhere.
+/// How vertices lie and are joined. Aspects, 1 to 1000, are long over short side. The long side runs along v, whose lines are geodesics
+/// on surfaces of revolution and the helicoid: along others, as around a torus, long triangles would fold over.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Pattern {
@@ -67,7 +67,8 @@ pub enum Pattern {
     },
     /// One point in the middle 80 % of each cell of an even tiling, then Delaunay.
     Jittered,
-    /// Points spread evenly by area without regard for each other, then Delaunay: slivers included.
+    /// Points spread evenly by area without regard for each other, then Delaunay. Slivers are included, and of those along a border that
+    /// bends a few may be folded over.
     Random,
     /// As jittered, on a surface that was shortened across the lines and is then drawn out again: long thin triangles.
     LongThin {
@@ -120,7 +121,7 @@ impl ParametricSurface {
     /// Points and triangles; none if too few points were asked for.
     fn connected(&self, tessellation: &Tessellation) -> Option<Connected> {
         let (metric, ends) = (Metric::of(self), Ends::of(self));
-        let stretch = self.stretch(tessellation.pattern);
+        let stretch = tessellation.pattern.aspect();
         let even = matches!(tessellation.pattern, Pattern::Regular { .. });
         let layout = Layout::fit(&metric, ends, stretch, tessellation.vertices, even)?;
         let mut random = Random::new(tessellation.seed);
@@ -135,17 +136,6 @@ impl ParametricSurface {
             flat::triangulated(&parameters, &metric, ends, &layout)?
         };
         Some(Connected { parameters, triangles })
-    }
-
-    /// Extent along v over extent along u of a cell of the tiling.
-    fn stretch(&self, pattern: Pattern) -> f64 {
-        match pattern {
-            Pattern::Jittered | Pattern::Random => 1.0,
-            Pattern::Regular { aspect } | Pattern::LongThin { aspect } if matches!(self, Self::Torus { .. }) => {
-                1.0 / aspect
-            }
-            Pattern::Regular { aspect } | Pattern::LongThin { aspect } => aspect,
-        }
     }
 
     fn finished(&self, connected: &Connected, uvs: Option<Vec<DVec2>>) -> Result<TessellatedSurface, FieldError> {
@@ -168,11 +158,16 @@ impl Tessellation {
     pub fn validate(&self) -> Result<(), FieldError> {
         let check = Check("tessellation");
         check.within("vertices", f64::from(self.vertices), 16.0..=4_194_304.0, "a number from 16 to 4194304")?;
-        match self.pattern {
-            Pattern::Regular { aspect } | Pattern::LongThin { aspect } => {
-                check.within("aspect", aspect, 1.0..=1000.0, "a ratio from 1 to 1000")
-            }
-            Pattern::Jittered | Pattern::Random => Ok(()),
+        check.within("aspect", self.pattern.aspect(), 1.0..=1000.0, "a ratio from 1 to 1000")
+    }
+}
+
+impl Pattern {
+    /// Extent along v over extent along u of a cell of the tiling.
+    fn aspect(self) -> f64 {
+        match self {
+            Self::Jittered | Self::Random => 1.0,
+            Self::Regular { aspect } | Self::LongThin { aspect } => aspect,
         }
     }
 }

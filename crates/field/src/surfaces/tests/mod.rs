@@ -4,6 +4,7 @@ mod geometry;
 mod meshes;
 mod noise;
 mod recipes;
+mod seams;
 
 use super::*;
 
