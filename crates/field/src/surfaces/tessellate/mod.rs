@@ -109,39 +109,38 @@ impl ParametricSurface {
             return Err(unsound());
         }
         if !ends.closed_u {
-            return self.finished(&connected, Some(connected.parameters.clone()));
+            let uvs = connected.parameters.clone();
+            return self.finished(connected, Some(uvs));
         }
         if tessellation.uv_seam {
             let (cut, uvs) = seam::cut(&connected, ends);
-            return self.finished(&cut, Some(uvs));
+            return self.finished(cut, Some(uvs));
         }
-        self.finished(&connected, None)
+        self.finished(connected, None)
     }
 
     /// Points and triangles; none if too few points were asked for.
     fn connected(&self, tessellation: &Tessellation) -> Option<Connected> {
-        let (metric, ends) = (Metric::of(self), Ends::of(self));
-        let stretch = tessellation.pattern.aspect();
-        let even = matches!(tessellation.pattern, Pattern::Regular { .. });
-        let layout = Layout::fit(&metric, ends, stretch, tessellation.vertices, even)?;
+        let metric = Metric::of(self);
+        let layout = Layout::fit(&metric, Ends::of(self), tessellation)?;
         let mut random = Random::new(tessellation.seed);
         let parameters = match tessellation.pattern {
-            Pattern::Regular { .. } => return Some(grid::connected(&layout, ends)),
-            Pattern::Jittered | Pattern::LongThin { .. } => points::jittered(&layout, &metric, ends, &mut random),
-            Pattern::Random => points::independent(self, &layout, &metric, ends, tessellation.vertices, &mut random),
+            Pattern::Regular { .. } => return Some(grid::connected(&layout)),
+            Pattern::Jittered | Pattern::LongThin { .. } => points::jittered(&layout, &metric, &mut random),
+            Pattern::Random => points::independent(self, &layout, &metric, tessellation.vertices, &mut random),
         };
-        let triangles = if ends.poles {
-            polar::triangulated(&parameters, stretch)?
+        let triangles = if layout.ends.poles {
+            polar::triangulated(&parameters, layout.stretch)?
         } else {
-            flat::triangulated(&parameters, &metric, ends, &layout)?
+            flat::triangulated(&parameters, &metric, &layout)?
         };
         Some(Connected { parameters, triangles })
     }
 
-    fn finished(&self, connected: &Connected, uvs: Option<Vec<DVec2>>) -> Result<TessellatedSurface, FieldError> {
-        let parameters = connected.parameters.clone();
+    fn finished(&self, connected: Connected, uvs: Option<Vec<DVec2>>) -> Result<TessellatedSurface, FieldError> {
+        let Connected { parameters, triangles } = connected;
         let positions = parameters.iter().map(|at| self.jet(at.x, at.y).position).collect();
-        let mesh = Mesh::new(positions, connected.triangles.clone())?;
+        let mesh = Mesh::new(positions, triangles)?;
         let mesh = match uvs {
             Some(uvs) => mesh.with_uvs(uvs)?,
             None => mesh,
