@@ -70,9 +70,9 @@ pub enum Pattern {
     /// Points spread evenly by area without regard for each other, then Delaunay. Slivers are included, and of those along a border that
     /// bends a few may be folded over.
     Random,
-    /// As jittered, on a surface that was shortened across the lines and is then drawn out again: long thin triangles.
+    /// As jittered, but on a surface that is shortened along v and then drawn out again: long thin triangles.
     LongThin {
-        /// How much.
+        /// By how much.
         aspect: f64,
     },
 }
