@@ -66,20 +66,23 @@ impl Normal {
         let normal = a.direction.cross(b.direction);
         let (sine, cosine) = (normal.length(), a.direction.dot(b.direction));
         let product = a.length * b.length;
-        let opposite_squared = a.length * a.length + b.length * b.length - 2.0 * product * cosine;
-        let longest = a.length.max(b.length).max(opposite_squared.sqrt());
-        let height = product * sine / longest - self.rounding;
-        // Not a number where lengths are too small to be squared.
-        if height > 0.0 {
-            normal * ((height / (THIN * longest)).min(1.0) * angle(sine, cosine) / sine)
+        let (a_squared, b_squared) = (a.length * a.length, b.length * b.length);
+        let longest_squared = a_squared.max(b_squared).max(a_squared + b_squared - 2.0 * product * cosine);
+        // Height and length of the triangle, both times its length.
+        let (height, least) = (product * sine - self.rounding * (a.length + b.length), THIN * longest_squared);
+        if height >= least {
+            normal * angle_over_sine(sine, cosine)
+        } else if height > 0.0 {
+            normal * (angle_over_sine(sine, cosine) * (height / least))
         } else {
             DVec3::ZERO
         }
     }
 }
 
-/// The angle that has this sine and cosine, to 2e-8: a weight (Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.46).
-fn angle(sine: f64, cosine: f64) -> f64 {
+/// An angle over its sine, given that and its cosine; to 2e-8 of the angle, which is a weight (Abramowitz and Stegun, Handbook of
+/// Mathematical Functions, 4.4.46).
+fn angle_over_sine(sine: f64, cosine: f64) -> f64 {
     const TERMS: [f64; 8] = [
         1.570_796_305_0,
         -0.214_598_801_6,
@@ -92,9 +95,9 @@ fn angle(sine: f64, cosine: f64) -> f64 {
     ];
     let x = cosine.abs();
     let series = TERMS.iter().rev().fold(0.0, |sum, term| sum * x + term);
-    // √(1 − x) without its cancellation: sin² = (1 − x)(1 + x).
-    let acute = sine / (1.0 + x).sqrt() * series;
-    if cosine < 0.0 { PI - acute } else { acute }
+    // The source has √(1 − x), which is sine / √(1 + x) and does not cancel.
+    let acute = series / (1.0 + x).sqrt();
+    if cosine < 0.0 { PI / sine - acute } else { acute }
 }
 
 #[cfg(test)]
@@ -103,9 +106,10 @@ mod tests {
 
     #[test]
     fn the_angle_is_that_of_sine_and_cosine() {
-        for step in 0..=1000 {
+        for step in 1..1000 {
             let expected = PI * f64::from(step) / 1000.0;
-            let found = angle(libm::sin(expected), libm::cos(expected));
+            let (sine, cosine) = (libm::sin(expected), libm::cos(expected));
+            let found = sine * angle_over_sine(sine, cosine);
             assert!((found - expected).abs() < 3e-8, "{expected}: {found}");
         }
     }
