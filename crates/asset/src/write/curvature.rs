@@ -25,7 +25,7 @@ const UNIT_SLACK: f64 = 1e-6;
 pub struct CurvatureTable<'a> {
     /// The unit of lengths.
     pub length_unit: LengthUnit,
-    /// κ1 ≥ κ2 in 1 / length unit, positive where convex seen from the front, within ±1e30; of 1 to 4294967295 vertices.
+    /// κ1 ≥ κ2 in 1 / length unit, positive where convex seen from the front, within ±2¹⁰⁰; of 1 to 4294967295 vertices.
     pub principal: &'a [[f32; 2]],
     /// Unit tangents t1 and t2 at right angles, in the mesh's own axes.
     pub directions: Option<&'a [[[f32; 3]; 2]]>,
@@ -129,17 +129,17 @@ impl CurvatureTable<'_> {
     }
 
     fn check_numbers(&self) -> Result<(), EncodeError> {
-        let ordered = "κ1 ≥ κ2 within ±1e30 is accepted";
+        let ordered = "κ1 ≥ κ2 within ±2¹⁰⁰ is accepted";
         check_all("principal", self.principal, ordered, |k| in_bounds(k) && k[0] >= k[1])?;
         let directions = self.directions.unwrap_or_default();
         let perpendicular = "two unit vectors at right angles are accepted";
         check_all("directions", directions, perpendicular, are_directions)?;
-        let positive = "numbers within ±1e30 with E > 0 and EG − F² > 0 are accepted";
+        let positive = "numbers within ±2¹⁰⁰ with E > 0 and EG − F² > 0 are accepted";
         check_all("forms", self.forms.unwrap_or_default(), positive, |forms| {
             in_bounds(&forms.first) && in_bounds(&forms.second) && forms.is_positive()
         })?;
         let uv_directions = self.uv_directions.unwrap_or_default();
-        check_all("uv_directions", uv_directions, "±1e30 is accepted", |pair| in_bounds(pair.as_flattened()))?;
+        check_all("uv_directions", uv_directions, "±2¹⁰⁰ is accepted", |pair| in_bounds(pair.as_flattened()))?;
         check_all("flags", self.flags, "known bits are accepted", |&flags| VertexFlags::KNOWN.contains(flags))
     }
 }
