@@ -268,6 +268,12 @@ fn what_is_no_curvature_is_not_written() {
     assert!(refusal(&table).starts_with("uv_directions of vertex 0 is "));
     let table = CurvatureTable { flags: &[VertexFlags(128)], ..bare(&[[0.0; 2]]) };
     assert_eq!(refusal(&table), "flags of vertex 0 is VertexFlags(128); known bits are accepted");
+    let flags = [VertexFlags::NONE, VertexFlags::ISOLATED];
+    let table = CurvatureTable { flags: &flags, ..bare(&[[1.0, 0.0]; 2]) };
+    assert_eq!(
+        refusal(&table),
+        "principal of vertex 1 is ([1.0, 0.0], VertexFlags(2)); 0 is accepted where a vertex is isolated or degenerate"
+    );
 }
 
 #[test]

@@ -169,6 +169,9 @@ fn a_first_form_measures_every_direction() {
 
 #[test]
 fn a_remark_stands_for_something() {
-    assert_eq!(findings("curvature-f32", &[(numbers(Flags, 4, 2), &[0xFF])]), ["B0510"]);
+    assert_eq!(findings("curvature-f32", &[(numbers(Flags, 4, 2), &[0x80])]), ["B0510"]);
     assert_eq!(findings("curvature-f32", &[(numbers(Flags, 4, 2) + 3, &[0x80])]), ["B0510"]);
+    for unknown in [2, 4] {
+        assert_eq!(findings("curvature-f32", &[(numbers(Flags, 4, 0), &[unknown])]), ["B0511"]);
+    }
 }

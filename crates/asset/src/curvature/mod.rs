@@ -12,6 +12,7 @@ mod view;
 
 pub use column::{CurvatureColumn, VertexFormat};
 pub use descriptor::{CURVATURE_VERSION, ColumnLayout, CurvatureDescriptor};
+#[cfg(feature = "write")]
 pub(crate) use descriptor::{GREATEST_NUMBER, LEAST_SCALE};
 pub use error::CurvatureError;
 pub use flags::VertexFlags;

@@ -76,6 +76,10 @@ fn check_vertex(table: &CurvatureView<'_>, layout: &ColumnLayout, vertex: u32) -
         if first < second {
             return Err(("B0507", format!("vertex {vertex} has κ1 = {first} below κ2 = {second}")));
         }
+        if table.flags(vertex).is_unknown() && [first, second] != [0.0; 2] {
+            let message = format!("vertex {vertex} has no curvature to be known, but κ1 = {first}, κ2 = {second}");
+            return Err(("B0511", message));
+        }
     }
     if layout.column == CurvatureColumn::FirstForm
         && let Some(forms) = table.forms(vertex).filter(|forms| !forms.is_positive())

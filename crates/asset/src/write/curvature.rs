@@ -4,7 +4,6 @@
 //! is monotone, so κ1 ≥ κ2 survives it; a first form that it would leave not positive is rounded outwards instead.
 
 use std::format;
-use std::string::String;
 use std::vec::Vec;
 
 use super::codes::{nearest_half, value_of_half};
@@ -140,7 +139,10 @@ impl CurvatureTable<'_> {
         })?;
         let uv_directions = self.uv_directions.unwrap_or_default();
         check_all("uv_directions", uv_directions, "±2¹⁰⁰ is accepted", |pair| in_bounds(pair.as_flattened()))?;
-        check_all("flags", self.flags, "known bits are accepted", |&flags| VertexFlags::KNOWN.contains(flags))
+        check_all("flags", self.flags, "known bits are accepted", |&flags| VertexFlags::KNOWN.contains(flags))?;
+        let unknown = "0 is accepted where a vertex is isolated or degenerate";
+        let pairs = self.principal.iter().zip(self.flags);
+        check_all("principal", pairs, unknown, |(&principal, flags)| !flags.is_unknown() || principal == [0.0; 2])
     }
 }
 
@@ -155,15 +157,15 @@ fn are_directions([first, second]: &[[f32; 3]; 2]) -> bool {
 }
 
 /// Refuses the first vertex that is not good.
-fn check_all<T: core::fmt::Debug>(
+fn check_all<T: core::fmt::Debug + Copy>(
     column: &'static str,
-    values: &[T],
+    values: impl IntoIterator<Item = T>,
     accepted: &'static str,
-    is_good: impl Fn(&T) -> bool,
+    is_good: impl Fn(T) -> bool,
 ) -> Result<(), EncodeError> {
-    match values.iter().position(|value| !is_good(value)) {
-        Some(vertex) => {
-            let found: String = format!("{:?}", values[vertex]);
+    match values.into_iter().enumerate().find(|&(_, value)| !is_good(value)) {
+        Some((vertex, value)) => {
+            let found = format!("{value:?}");
             Err(EncodeError::Vertex { column, vertex, found, accepted })
         }
         None => Ok(()),
