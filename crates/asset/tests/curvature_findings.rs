@@ -175,3 +175,20 @@ fn a_remark_stands_for_something() {
         assert_eq!(findings("curvature-f32", &[(numbers(Flags, 4, 0), &[unknown])]), ["B0511"]);
     }
 }
+
+#[test]
+fn a_later_version_is_passed_over_where_it_may_be() {
+    let mut file = vector("curvature-principal");
+    // The first row of the section table: not critical, version 2.
+    (file[128 + 4], file[128 + 8]) = (0, 2);
+    reseal(&mut file);
+    let ids: Vec<_> = validate(&file, &Limits::default()).iter().map(|finding| finding.id).collect();
+    assert_eq!(ids, ["B0215", "B0111"]);
+    let error = Asset::open(&file).unwrap().section(SectionKind::CURVATURE).unwrap().curvature().unwrap_err();
+    assert_eq!(error.to_string(), "section version 2 is not supported; this reader reads 1");
+    // As critical as it was written, it is refused.
+    file[128 + 4] = 1;
+    reseal(&mut file);
+    let ids: Vec<_> = validate(&file, &Limits::default()).iter().map(|finding| finding.id).collect();
+    assert_eq!(ids, ["B0205"]);
+}

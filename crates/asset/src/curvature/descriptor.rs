@@ -11,6 +11,9 @@ use crate::{CurvatureColumn, CurvatureError, LengthUnit, VertexFormat};
 pub const CURVATURE_VERSION: u16 = 1;
 /// 2¹⁰⁰, the largest size of a number in a table; rounding to a half does not pass it.
 pub(crate) const GREATEST_NUMBER: f32 = f32::from_bits((127 + 100) << 23);
+/// What the squared length of a direction, or the product of two, may be off by besides what its encoding costs.
+#[cfg(feature = "write")]
+pub(crate) const UNIT_SLACK: f64 = 1e-6;
 /// 2⁻¹⁰².
 pub(crate) const LEAST_SCALE: f32 = f32::from_bits((127 - 102) << 23);
 /// 2⁹⁶.

@@ -13,7 +13,7 @@ mod view;
 pub use column::{CurvatureColumn, VertexFormat};
 pub use descriptor::{CURVATURE_VERSION, ColumnLayout, CurvatureDescriptor};
 #[cfg(feature = "write")]
-pub(crate) use descriptor::{GREATEST_NUMBER, LEAST_SCALE};
+pub(crate) use descriptor::{GREATEST_NUMBER, LEAST_SCALE, UNIT_SLACK};
 pub use error::CurvatureError;
 pub use flags::VertexFlags;
 pub use forms::SurfaceForms;

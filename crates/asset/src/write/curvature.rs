@@ -10,14 +10,11 @@ use super::codes::{nearest_half, value_of_half};
 use super::encode::{EncodeError, Encoding};
 use super::loss::{EncodingLoss, LayerMeasure};
 use crate::bytes::CHUNK_ALIGN;
-use crate::curvature::{GREATEST_NUMBER, LEAST_SCALE};
+use crate::curvature::{GREATEST_NUMBER, LEAST_SCALE, UNIT_SLACK};
 use crate::{
     ColumnLayout, CurvatureColumn, CurvatureDescriptor, CurvatureError, CurvatureView, LengthUnit, SurfaceForms,
     VertexFlags,
 };
-
-/// What the squared length of a direction, or the product of two, may be off by.
-const UNIT_SLACK: f64 = 1e-6;
 
 /// The curvature of a mesh to be written; row i of every column is vertex i.
 #[derive(Debug, Clone, Copy)]
@@ -116,9 +113,8 @@ impl CurvatureTable<'_> {
             ("flags", Some(self.flags.len()).filter(|&length| length > 0)),
         ];
         for (column, length) in lengths {
-            match length.map(|length| length as u64).filter(|&length| length != expected) {
-                Some(found) => return Err(EncodeError::Vertices { column, found, expected }),
-                None => continue,
+            if let Some(found) = length.map(|length| length as u64).filter(|&length| length != expected) {
+                return Err(EncodeError::Vertices { column, found, expected });
             }
         }
         let too_many = EncodeError::Vertices { column: "principal", found: expected, expected: u32::MAX.into() };
