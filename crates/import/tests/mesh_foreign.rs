@@ -141,3 +141,14 @@ fn the_source_says_where_the_mesh_came_from() {
     let read = load("trimesh.obj");
     assert_eq!((read.source.format, read.unit), (Format::Obj, LengthUnit::SceneUnit));
 }
+
+#[test]
+fn the_scanned_sample_is_as_its_page_says() {
+    let samples = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../samples");
+    let page = std::fs::read_to_string(samples.join("README.md")).unwrap();
+    let read = read_mesh(&samples.join("demosthenes.ply"), &MeshOptions::default()).unwrap();
+    let counts =
+        format!("{} vertices, {} triangles, no texture coordinates", read.source.vertices, read.source.triangles);
+    assert!(page.contains(&counts), "{counts}");
+    assert_eq!((read.mesh.uvs(), read.mesh.normals(), read.source.ignored), (None, None, 0));
+}

@@ -208,6 +208,16 @@ fn what_is_refused_is_named() {
 }
 
 #[test]
+fn an_obj_holds_one_mesh() {
+    let options = MeshOptions { mesh: Some("left".into()), ..MeshOptions::default() };
+    let refused = decode_mesh(SQUARE.as_bytes(), &options, &mut no_buffers).unwrap_err().to_string();
+    assert_eq!(
+        refused,
+        "`mesh` is `left`, which the OBJ file does not have; none (it holds one mesh) would be accepted"
+    );
+}
+
+#[test]
 fn limits_are_the_callers() {
     let text = format!("{SQUARE}vt 0 0\nvt 1 1\nf 1/1 2/1 3/1 4/1\nf 1/2 2/2 3/2\n");
     let options = |max_vertices, max_triangles| MeshOptions { max_vertices, max_triangles, ..MeshOptions::default() };

@@ -77,7 +77,12 @@ pub fn decode_mesh(
     options: &MeshOptions,
     read_buffer: &mut dyn FnMut(&str) -> io::Result<Vec<u8>>,
 ) -> Result<ImportedMesh, DecodeError> {
-    let raw = match detect_needed(bytes, MESHES)? {
+    let format = detect_needed(bytes, MESHES)?;
+    if let (Format::Obj | Format::Ply, Some(wanted)) = (format, options.mesh.clone()) {
+        let present = "none (it holds one mesh)".to_owned();
+        return Err(MeshError::NoSuchMesh { format, wanted, present }.into());
+    }
+    let raw = match format {
         Format::Obj => obj::decode(bytes, options)?,
         Format::Ply => ply::decode(bytes, options)?,
         Format::Gltf => gltf::decode(bytes, options, read_buffer)?,
