@@ -7,6 +7,7 @@ mod jet;
 mod narrow;
 mod neighbourhood;
 mod params;
+pub mod reference;
 mod sheets;
 mod table;
 
