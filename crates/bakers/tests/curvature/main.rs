@@ -2,13 +2,13 @@
 
 mod accuracy;
 mod broken;
-mod edits;
+mod holes;
 mod extremes;
 mod fast;
 mod hubs;
 mod invariance;
 mod mended;
-mod nothing_to_see;
+mod clamping;
 mod reference;
 mod shells;
 mod slivers;

@@ -8,29 +8,29 @@ use barchan_bakers::curvature::{CurvatureMethod, CurvatureParams, MeshCurvature,
 use barchan_field::Mesh;
 use barchan_field::surfaces::{ParametricSurface, Pattern, PrincipalCurvature, Tessellation};
 
-pub fn example(name: &str) -> ParametricSurface {
+pub(crate) fn example(name: &str) -> ParametricSurface {
     ParametricSurface::examples().into_iter().find(|surface| surface.name() == name).expect("an example")
 }
 
-pub fn bake_with(mesh: &Mesh, method: CurvatureMethod, threads: usize) -> MeshCurvature {
+pub(crate) fn bake_with(mesh: &Mesh, method: CurvatureMethod, threads: usize) -> MeshCurvature {
     let params = CurvatureParams { method, ..CurvatureParams::default() };
     bake(mesh, &params, &Exec::new(threads).unwrap()).unwrap()
 }
 
-pub fn baked(mesh: &Mesh) -> MeshCurvature {
+pub(crate) fn baked(mesh: &Mesh) -> MeshCurvature {
     bake_with(mesh, CurvatureMethod::Accurate, 1)
 }
 
 /// A mesh, and the exact curvature at each of its vertices.
 #[derive(Clone)]
-pub struct Case {
+pub(crate) struct Case {
     pub mesh: Mesh,
     pub truth: Vec<PrincipalCurvature>,
 }
 
 /// Errors of curvature, relative to the root mean square of max|κ| over the mesh.
 #[derive(Clone, Copy)]
-pub struct Errors {
+pub(crate) struct Errors {
     pub rms: f64,
     pub max: f64,
     /// Of principal directions, where κ1 − κ2 is more than a tenth of max|κ|. Degrees.
@@ -98,7 +98,7 @@ impl Case {
     }
 }
 
-pub fn root_mean_square(values: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn root_mean_square(values: impl Iterator<Item = f64>) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
     for value in values {
         sum += value * value;
@@ -108,7 +108,7 @@ pub fn root_mean_square(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// Finite, ordered, and in orthonormal frames.
-pub fn assert_finite(found: &MeshCurvature) {
+pub(crate) fn assert_finite(found: &MeshCurvature) {
     for (vertex, curvature) in found.vertices.iter().enumerate() {
         let [first, second] = curvature.principal;
         assert!(first.is_finite() && second.is_finite() && first >= second, "vertex {vertex}: {curvature:?}");
@@ -121,24 +121,24 @@ pub fn assert_finite(found: &MeshCurvature) {
 }
 
 /// The bits of all curvatures, to be compared.
-pub fn bits(found: &MeshCurvature) -> Vec<[u64; 2]> {
+pub(crate) fn bits(found: &MeshCurvature) -> Vec<[u64; 2]> {
     found.vertices.iter().map(|vertex| vertex.principal.map(f64::to_bits)).collect()
 }
 
 /// The largest difference of curvature, over the largest curvature.
-pub fn difference(a: &MeshCurvature, b: &MeshCurvature) -> f64 {
+pub(crate) fn difference(a: &MeshCurvature, b: &MeshCurvature) -> f64 {
     assert_eq!(a.vertices.len(), b.vertices.len());
     let pairs = || a.vertices.iter().flat_map(|v| v.principal).zip(b.vertices.iter().flat_map(|v| v.principal));
     let largest = pairs().fold(0.0_f64, |most, (a, _)| most.max(a.abs()));
     pairs().fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / largest
 }
 
-pub fn count(found: &MeshCurvature, flag: VertexFlags) -> usize {
+pub(crate) fn count(found: &MeshCurvature, flag: VertexFlags) -> usize {
     found.vertices.iter().filter(|vertex| vertex.flags.contains(flag)).count()
 }
 
 /// Numbers from 0 to 1, the same every time.
-pub fn random(seed: u64) -> impl FnMut() -> f64 {
+pub(crate) fn random(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed;
     move || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
