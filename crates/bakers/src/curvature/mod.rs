@@ -9,6 +9,7 @@ mod neighbourhood;
 mod params;
 pub mod reference;
 mod sheets;
+mod sphere;
 mod table;
 
 pub use chart::{VertexForms, forms};

@@ -77,3 +77,13 @@ fn a_hub_in_an_ordinary_mesh_disturbs_nobody() {
     assert!(off(1..ordinary) < 1e-3);
     assert!(off(ordinary..found.vertices.len()) < 1e-6);
 }
+#[test]
+fn dbg_hub() {
+    let (mesh, ordinary) = ball_with_hub();
+    let found = baked(&mesh);
+    let mut e: Vec<(f64, usize)> = found.vertices.iter().enumerate().map(|(i, v)| ((v.principal[0] - 1.0).abs().max((v.principal[1] - 1.0).abs()), i)).collect();
+    e.sort_by(|a, b| b.0.total_cmp(&a.0));
+    for (err, i) in e.iter().take(12) { println!("{err:.2e} {} {:?} {}", *i as i64 - ordinary as i64, found.vertices[*i].principal, found.vertices[*i].flags.0); }
+    println!("{:?}", e.iter().filter(|e| e.0 > 1e-6).count());
+    println!("{:?}", e.iter().filter(|e| e.0 > 1e-6 && e.1 > ordinary).map(|e| (e.0, e.1 - ordinary)).take(10).collect::<Vec<_>>());
+}
