@@ -30,8 +30,8 @@ impl Sphere {
                 right[i] += row[i] * near.z;
             }
         }
-        for i in 0..2 {
-            matrix[i][i] *= 1.0 + BELIEF;
+        for (row, column) in [(0, 0), (1, 0), (1, 1)] {
+            matrix[row][column] *= 1.0 + BELIEF;
         }
         if let Some([p, q, bend]) = solve(&matrix, right) {
             return Self { slope: [p, q], curvature: bend / (1.0 + p * p + q * q).sqrt() };
