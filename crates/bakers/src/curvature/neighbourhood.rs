@@ -88,7 +88,8 @@ impl<'a> Gatherer<'a> {
         let normal = (frame.normal - frame.x * p - frame.y * q).normalize();
         let x = (frame.x - normal * frame.x.dot(normal)).normalize();
         let leant = Frame { origin: frame.origin, x, y: normal.cross(x), normal };
-        let rows = [leant.x, leant.y, leant.normal].map(|axis| [frame.x, frame.y, frame.normal].map(|old| axis.dot(old)));
+        let rows =
+            [leant.x, leant.y, leant.normal].map(|axis| [frame.x, frame.y, frame.normal].map(|old| axis.dot(old)));
         for near in &mut self.neighbours {
             let [x, y, z] = rows.map(|[a, b, c]| a * near.x + b * near.y + c * near.z);
             (near.x, near.y, near.z) = (x, y, z);

