@@ -6,7 +6,9 @@ mod frame;
 mod jet;
 mod narrow;
 mod neighbourhood;
+mod noise;
 mod params;
+mod patch;
 mod sheets;
 mod table;
 
@@ -31,11 +33,18 @@ pub const ALGORITHM: &str = "curvature-jets-1";
 pub fn bake(mesh: &Mesh, params: &CurvatureParams, exec: &Exec) -> Result<MeshCurvature, BakeError> {
     params.check()?;
     let sheets = Sheets::of(mesh, params.hard_edge_degrees, exec);
-    let found = narrow::fit_all(&sheets, params.method, exec);
+    let mut found = narrow::fit_all(&sheets, params.method, exec);
+    let noise = match params.method {
+        CurvatureMethod::Fast => None,
+        CurvatureMethod::Accurate => noise::noise(&found),
+    };
+    if let Some(noise) = noise {
+        noise::refit(&sheets, noise, &mut found, exec);
+    }
     let of_point = |point: &Option<u32>| match point {
         Some(point) => found[*point as usize].curvature,
         None => VertexCurvature { flags: VertexFlags::ISOLATED, ..VertexCurvature::UNKNOWN },
     };
     let vertices = sheets.point_of_vertex.iter().map(of_point).collect();
-    Ok(MeshCurvature { vertices, report: sheets.report, noise: 0.0 })
+    Ok(MeshCurvature { vertices, report: sheets.report, noise: noise.map_or(0.0, f64::sqrt) })
 }
