@@ -16,9 +16,10 @@ use crate::{BakeError, Exec};
 /// Bakes the curvature of every vertex.
 ///
 /// # Errors
-/// Parameters out of range.
+/// Parameters out of range, or more than 700 million triangles.
 pub fn bake(mesh: &Mesh, params: &CurvatureParams, exec: &Exec) -> Result<MeshCurvature, BakeError> {
     params.check()?;
+    sheets::check_size(mesh.triangles().len())?;
     let sheets = sheets::Sheets::of(mesh, params.hard_edge_degrees, exec);
     Ok(MeshCurvature {
         vertices: vec![VertexCurvature::UNKNOWN; mesh.positions().len()],
