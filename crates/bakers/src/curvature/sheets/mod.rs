@@ -13,8 +13,8 @@
 //!
 //! A triangle of three places on one line has no area and no say in normals, but joins its neighbours: so programs close T-junctions.
 //!
-//! Nothing depends on the order of triangles or on which corner comes first, but for what is arbitrary: where an unorientable surface is cut,
-//! which way a piece faces of which exactly half the area faces either way, and which of two equal fans speaks for a vertex.
+//! Nothing depends on the order of triangles or on which corner comes first, but for what is arbitrary: where an unorientable surface is
+//! cut, which way a piece faces of which exactly half the area faces either way, and which of two equal fans speaks for a vertex.
 
 mod branch;
 mod creases;

@@ -1,8 +1,8 @@
 //! One front for every connected piece of surface.
 //!
 //! From the first triangle of a piece the front is carried over every joined edge, hard ones too. A piece then faces the way that the
-//! greater part of its area faced in the file; the first triangle decides where they are equal. Edges whose two triangles still disagree are those
-//! across which no front can be carried, as somewhere on a Möbius strip: there the surface ends.
+//! greater part of its area faced in the file; the first triangle decides where they are equal. Edges whose two triangles still disagree
+//! are those across which no front can be carried, as somewhere on a Möbius strip: there the surface ends.
 
 use glam::DVec3;
 

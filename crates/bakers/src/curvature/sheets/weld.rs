@@ -5,8 +5,8 @@
 //! two tolerances, a row of ever so close vertices does not shrink to a point, and neither the order of vertices nor that of
 //! triangles matters. Where duplicates are equal, or all within the tolerance of each other, that is what anyone would expect.
 //!
-//! Vertices are sorted along x and split wherever a gap is wider than the tolerance; what stays together is sorted along y, then z. On a surface next to
-//! nothing stays together that is not one place.
+//! Vertices are sorted along x and split wherever a gap is wider than the tolerance; what stays together is sorted along y, then z. On a
+//! surface next to nothing stays together that is not one place.
 
 use core::sync::atomic::{AtomicBool, Ordering};
 use std::collections::HashMap;
