@@ -28,7 +28,7 @@ impl Mesh {
         }
         for (vertex, position) in positions.iter().enumerate() {
             // Squares of lengths stay far inside f64.
-            let offending = position.to_array().into_iter().find(|coordinate| !(coordinate.abs() <= 1e30));
+            let offending = position.to_array().into_iter().find(|coordinate| !(-1e30..=1e30).contains(coordinate));
             if let Some(value) = offending {
                 return Err(FieldError::VertexPosition { vertex: vertex as u64, value });
             }
@@ -52,7 +52,8 @@ impl Mesh {
         Ok(self)
     }
 
-    /// The mesh with normals as a file states them, one per vertex, of any length but zero; they say where edges are hard.
+    /// The mesh with normals as a file states them, one per vertex, of any length; they say where edges are hard. One of
+    /// no length says nothing.
     ///
     /// # Errors
     /// Another number of them, or one that is not finite.

@@ -1,6 +1,11 @@
 //! Principal curvature per vertex of a mesh.
 
 mod chart;
+mod estimate;
+mod frame;
+mod jet;
+mod narrow;
+mod neighbourhood;
 mod params;
 mod sheets;
 mod table;
@@ -9,9 +14,15 @@ pub use chart::{VertexForms, forms};
 pub use params::{CurvatureMethod, CurvatureParams};
 pub use table::{MeshCurvature, MeshReport, VertexCurvature};
 
+use barchan_asset::VertexFlags;
 use barchan_field::Mesh;
 
+use sheets::Sheets;
+
 use crate::{BakeError, Exec};
+
+/// Names the algorithm in provenance. It changes when a bake's bytes do.
+pub const ALGORITHM: &str = "curvature-jets-1";
 
 /// Bakes the curvature of every vertex.
 ///
@@ -20,10 +31,12 @@ use crate::{BakeError, Exec};
 pub fn bake(mesh: &Mesh, params: &CurvatureParams, exec: &Exec) -> Result<MeshCurvature, BakeError> {
     params.check()?;
     sheets::check_size(mesh.triangles().len())?;
-    let sheets = sheets::Sheets::of(mesh, params.hard_edge_degrees, exec);
-    Ok(MeshCurvature {
-        vertices: vec![VertexCurvature::UNKNOWN; mesh.positions().len()],
-        report: sheets.report,
-        noise: 0.0,
-    })
+    let sheets = Sheets::of(mesh, params.hard_edge_degrees, exec);
+    let found = narrow::fit_all(&sheets, params.method, exec);
+    let of_point = |point: &Option<u32>| match point {
+        Some(point) => found[*point as usize].curvature,
+        None => VertexCurvature { flags: VertexFlags::ISOLATED, ..VertexCurvature::UNKNOWN },
+    };
+    let vertices = sheets.point_of_vertex.iter().map(of_point).collect();
+    Ok(MeshCurvature { vertices, report: sheets.report, noise: 0.0 })
 }

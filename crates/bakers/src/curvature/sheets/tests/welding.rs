@@ -47,8 +47,8 @@ fn a_boundary_is_walked_from_end_to_end() {
     assert_eq!(found.count(VertexFlags::BOUNDARY), 8);
     let at = |x: f64, y: f64| DVec3::new(x, y, 0.0);
     // The middle of the lower side.
-    assert_eq!(found.around(1), [at(1.0, 0.0), at(1.0, 0.5), at(0.5, 0.5), at(0.0, 0.0)]);
-    assert_eq!(found.around(4).len(), 6);
+    assert_eq!(found.seen_from(1), [at(1.0, 0.0), at(1.0, 0.5), at(0.5, 0.5), at(0.0, 0.0)]);
+    assert_eq!(found.seen_from(4).len(), 6);
 }
 
 #[test]
@@ -59,8 +59,8 @@ fn a_soup_is_the_surface_it_was_cut_from() {
     assert!((cut.report.mean_edge / whole.report.mean_edge - 1.0).abs() < 1e-12);
     // Vertex by vertex the neighbours are at the same positions, from the same or another one on.
     for (corner, &vertex) in sphere.triangles().iter().flatten().enumerate() {
-        let mut expected = whole.around(vertex);
-        let found = cut.around(corner as u32);
+        let mut expected = whole.seen_from(vertex);
+        let found = cut.seen_from(corner as u32);
         let start = expected.iter().position(|&at| at == found[0]).unwrap();
         expected.rotate_left(start);
         assert_eq!(found, expected);
