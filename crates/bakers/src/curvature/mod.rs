@@ -29,9 +29,10 @@ pub const ALGORITHM: &str = "curvature-jets-1";
 /// Bakes the curvature of every vertex.
 ///
 /// # Errors
-/// Parameters out of range.
+/// Parameters out of range, or more than 700 million triangles.
 pub fn bake(mesh: &Mesh, params: &CurvatureParams, exec: &Exec) -> Result<MeshCurvature, BakeError> {
     params.check()?;
+    sheets::check_size(mesh.triangles().len())?;
     let sheets = Sheets::of(mesh, params.hard_edge_degrees, exec);
     let mut found = narrow::fit_all(&sheets, params.method, exec);
     let noise = match params.method {
