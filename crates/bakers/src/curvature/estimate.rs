@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::frame::Frame;
 use super::jet::{JetFits, MAX_DEGREE, coefficients};
 use super::patch::Patch;
+use super::tensor::principal;
 
 /// Neighbours beyond its coefficients, in effective number, that a jet needs.
 const LEAST_FREEDOM: f64 = 1.0;
@@ -60,18 +61,13 @@ impl Shape {
     /// κ1 ≥ κ2, their directions and the normal.
     pub(super) fn principal(&self, frame: &Frame) -> ([f64; 2], [DVec3; 2], DVec3) {
         let [xx, xy, yy] = self.tensor;
-        let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
-        let spread = (half * half + xy * xy).sqrt();
-        // Of the two forms of the eigenvector, the one that does not cancel.
-        let [a, b] = if half >= 0.0 { [half + spread, xy] } else { [xy, spread - half] };
-        let length = (a * a + b * b).sqrt();
-        let [a, b] = if length > 0.0 { [a / length, b / length] } else { [1.0, 0.0] };
+        let (principal, [a, b]) = principal(xx, xy, yy);
         let [p, q] = self.slope;
         let basis = tangent_basis(self.slope);
         let lift = |[u, v]: [f64; 2]| frame.x * u + frame.y * v + frame.normal * (p * u + q * v);
         let [first, second] = basis.map(lift);
         let normal = (frame.normal - frame.x * p - frame.y * q).normalize();
-        ([mean + spread, mean - spread], [first * a + second * b, second * a - first * b], normal)
+        (principal, [first * a + second * b, second * a - first * b], normal)
     }
 }
 

@@ -11,6 +11,7 @@ mod params;
 mod patch;
 mod sheets;
 mod table;
+mod tensor;
 
 pub use chart::{VertexForms, forms};
 pub use params::{CurvatureMethod, CurvatureParams};
@@ -42,10 +43,17 @@ pub fn bake(mesh: &Mesh, params: &CurvatureParams, exec: &Exec) -> Result<MeshCu
     if let Some(noise) = noise {
         noise::refit(&sheets, noise, &mut found, exec);
     }
-    let of_point = |point: &Option<u32>| match point {
+    let mut used = vec![false; mesh.positions().len()];
+    for &vertex in mesh.triangles().as_flattened() {
+        used[vertex as usize] = true;
+    }
+    let of_vertex = |(vertex, point): (usize, &Option<u32>)| match point {
         Some(point) => found[*point as usize].curvature,
-        None => VertexCurvature { flags: VertexFlags::ISOLATED, ..VertexCurvature::UNKNOWN },
+        None => {
+            let flags = if used[vertex] { VertexFlags::DEGENERATE } else { VertexFlags::ISOLATED };
+            VertexCurvature { flags, ..VertexCurvature::UNKNOWN }
+        }
     };
-    let vertices = sheets.point_of_vertex.iter().map(of_point).collect();
+    let vertices = sheets.point_of_vertex.iter().enumerate().map(of_vertex).collect();
     Ok(MeshCurvature { vertices, report: sheets.report, noise: noise.map_or(0.0, f64::sqrt) })
 }

@@ -23,6 +23,7 @@ use super::jet::{LANES, Solver};
 use super::narrow::{BLOCK, Found};
 use super::patch::{Fitter, Patch, Reach};
 use super::sheets::Sheets;
+use super::tensor::Tensor;
 use crate::Exec;
 
 /// Neighbourhoods that are tried: each half as large again.
@@ -34,6 +35,10 @@ const CANDIDATES: usize = WIDTHS.len() * DEGREES.len();
 const STEP: usize = 2;
 /// How far the bias is averaged: rings of neighbours.
 const ROUNDS: usize = 30;
+/// Neighbours of one point that have a say, at most.
+const MAX_JURY: usize = 32;
+/// Median deviations beyond which a point is overruled.
+const OUTLYING: f64 = 3.0;
 /// The error, relative to the curvature of the whole, above which noise is worth a second pass.
 const NOISY: f64 = 5e-3;
 
@@ -82,6 +87,7 @@ pub(super) fn refit(sheets: &Sheets, noise: f64, found: &mut [Found], exec: &Exe
             dispatch!(level, simd => take_best(simd, fitter, noise, block * BLOCK, found, outlooks));
         },
     );
+    silence_outliers(sheets, found, exec);
 }
 
 /// Bias and variance of every candidate, in a block of points that begins with `first`.
@@ -89,21 +95,21 @@ pub(super) fn refit(sheets: &Sheets, noise: f64, found: &mut [Found], exec: &Exe
 fn look_out<S: Simd>(simd: S, fitter: &mut Fitter<'_>, noise: f64, first: usize, outlooks: &mut [Outlook]) {
     let mut solver = Solver::new(simd);
     for (start, outlooks) in (first..).step_by(LANES).zip(outlooks.chunks_mut(LANES)) {
-        let mut tensors = [[[Tensor::default(); DEGREES.len()]; WIDTHS.len()]; LANES];
+        let mut guesses = [[[Guess::default(); DEGREES.len()]; WIDTHS.len()]; LANES];
         for (index, width) in WIDTHS.into_iter().enumerate() {
             let reaches: [Reach; LANES] = std::array::from_fn(|lane| (start + lane.min(outlooks.len() - 1), width));
             let patches = fitter.fit::<_, 4>(simd, &mut solver, &reaches);
             for (lane, outlook) in outlooks.iter_mut().enumerate() {
                 for (slot, degree) in DEGREES.into_iter().enumerate() {
-                    let tensor = Tensor::of(&patches[lane], degree);
+                    let guess = Guess::of(&patches[lane], degree);
                     let bias = if index < STEP {
                         0.0
                     } else {
-                        bias(&tensor, &tensors[lane][index - STEP][slot], index, degree, noise)
+                        bias(&guess, &guesses[lane][index - STEP][slot], index, degree, noise)
                     };
                     outlook.bias[index * DEGREES.len() + slot] = bias as f32;
-                    outlook.variance[index * DEGREES.len() + slot] = tensor.variance as f32;
-                    tensors[lane][index][slot] = tensor;
+                    outlook.variance[index * DEGREES.len() + slot] = guess.variance as f32;
+                    guesses[lane][index][slot] = guess;
                 }
             }
         }
@@ -111,11 +117,11 @@ fn look_out<S: Simd>(simd: S, fitter: &mut Fitter<'_>, noise: f64, first: usize,
 }
 
 /// The squared bias of the wider of two estimates, as far as their difference tells.
-fn bias(wide: &Tensor, narrow: &Tensor, index: usize, degree: usize, noise: f64) -> f64 {
+fn bias(wide: &Guess, narrow: &Guess, index: usize, degree: usize, noise: f64) -> f64 {
     let shrunk = WIDTHS[index - STEP] as f64 / WIDTHS[index] as f64;
     // The bias of degrees 2 and 3 grows with the square of the radius, that of 4 with its fourth power.
     let part = if degree < 4 { 1.0 - shrunk } else { 1.0 - shrunk * shrunk };
-    (wide.squared_difference(narrow) - noise * (narrow.variance - wide.variance)) / (part * part)
+    (wide.tensor.squared_difference(&narrow.tensor) - noise * (narrow.variance - wide.variance)) / (part * part)
 }
 
 /// Averages the biases over the surroundings of every point.
@@ -170,6 +176,35 @@ fn take_best<S: Simd>(
     }
 }
 
+/// Points that disagree with all around them take the median of their surroundings: two rings, as a corner has few neighbours.
+fn silence_outliers(sheets: &Sheets, found: &mut [Found], exec: &Exec) {
+    let tensor = |found: &Found| Tensor::of(found.curvature.principal, found.curvature.directions);
+    let tensors: Vec<Tensor> = found.iter().map(tensor).collect();
+    let blocks = found.chunks_mut(BLOCK).collect();
+    exec.for_each_quietly(blocks, |block, found: &mut [Found]| {
+        let mut jury = Vec::new();
+        for (point, found) in (block * BLOCK..).zip(found) {
+            jury.clear();
+            for &next in sheets.around(point).iter().take(MAX_JURY) {
+                jury.push(next);
+                jury.extend(
+                    sheets.around(next as usize).iter().take(MAX_JURY).filter(|&&other| other as usize != point),
+                );
+            }
+            let jurors = || jury.iter().map(|&juror| &tensors[juror as usize]);
+            let verdict = Tensor(std::array::from_fn(|component| {
+                median(jurors().map(|tensor| tensor.0[component])).unwrap_or(0.0)
+            }));
+            let Some(spread) = median(jurors().map(|tensor| tensor.squared_difference(&verdict))) else {
+                continue;
+            };
+            if tensors[point].squared_difference(&verdict) > OUTLYING * OUTLYING * spread {
+                found.curvature = verdict.at(&found.curvature);
+            }
+        }
+    });
+}
+
 /// A candidate and its expected squared error.
 #[derive(Debug, Clone, Copy)]
 struct Choice {
@@ -194,42 +229,22 @@ impl Outlook {
     }
 }
 
-/// A shape as a tensor in space, so that shapes in different frames can be compared.
+/// What one candidate says.
 #[derive(Debug, Clone, Copy, Default)]
-struct Tensor {
-    /// xx, yy, zz, xy, yz, zx.
-    components: [f64; 6],
+struct Guess {
+    tensor: Tensor,
+    /// Under unit noise.
     variance: f64,
 }
 
-impl Tensor {
+impl Guess {
     /// A degree that was not determined has infinite variance.
     fn of(patch: &Patch, degree: usize) -> Self {
         if degree > patch.fits.degrees {
-            return Self { components: [0.0; 6], variance: f64::INFINITY };
+            return Self { tensor: Tensor::default(), variance: f64::INFINITY };
         }
         let shape = Shape::of(patch, degree);
         let (principal, directions, _) = shape.principal(&patch.frame);
-        let mut components = [0.0; 6];
-        for (curvature, along) in principal.into_iter().zip(directions) {
-            let products = [
-                along.x * along.x,
-                along.y * along.y,
-                along.z * along.z,
-                along.x * along.y,
-                along.y * along.z,
-                along.z * along.x,
-            ];
-            for (component, product) in components.iter_mut().zip(products) {
-                *component += curvature * product;
-            }
-        }
-        Self { components, variance: shape.variance }
-    }
-
-    fn squared_difference(&self, other: &Self) -> f64 {
-        let difference: [f64; 6] = std::array::from_fn(|index| self.components[index] - other.components[index]);
-        let squares = difference.map(|difference| difference * difference);
-        squares[0] + squares[1] + squares[2] + 2.0 * (squares[3] + squares[4] + squares[5])
+        Self { tensor: Tensor::of(principal, directions), variance: shape.variance }
     }
 }
