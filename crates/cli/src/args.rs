@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use barchan_field::{Edge, LengthUnit, Spacing};
 use barchan_import::{Fill, Integers};
-use barchan_pipeline::{Compression, HorizonMethod, Table, TableEncoding};
+use barchan_pipeline::{Compression, CurvatureMethod, HorizonMethod, Table, TableEncoding};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// Bakes relief into tables that a shader can read.
@@ -25,7 +25,7 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 diff
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Bake a recipe or a height map into a .barchan file
+    /// Bake a recipe, a height map or a mesh into a .barchan file
     Bake(BakeArguments),
     /// Show what a .barchan file holds
     #[command(after_help = "Examples:
@@ -54,24 +54,50 @@ pub(crate) struct FileArguments {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   barchan bake samples/dunes.ron
+  barchan bake rock.obj
+  barchan bake statue.ply --method fast --encoding f32 -o statue.barchan
   barchan bake rock.png --height-scale 12 --edge wrap --method exact --encoding f16 -o rock.barchan
   barchan bake rock.png --height-scale 12 --arc 180,360 --directions 17
   barchan bake elevation.tif --integers raw --spacing 74,93 --unit metre --radius 20000 --json")]
 pub(crate) struct BakeArguments {
-    /// A recipe (.ron), or a height map (PNG, EXR, TIFF, NPY)
+    /// A recipe (.ron), a height map (PNG, EXR, TIFF, NPY) or a mesh (OBJ, PLY, glTF)
     pub(crate) input: PathBuf,
     /// Where to write [default: the input's name with .barchan, in this folder]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// Bake these tables and no others: height, horizon, distance, swept_horizon, swept_distance, sky_visibility,
-    /// bent_normal, aperture_cone
+    /// bent_normal, aperture_cone; of a mesh: curvature
     #[arg(long, value_name = "TABLE,..", value_delimiter = ',', value_parser = table)]
     pub(crate) only: Option<Vec<Table>>,
     /// Worker threads, at most 1024; 0 is one per core
     #[arg(short = 'j', long, value_name = "N", default_value_t = 0, value_parser = jobs)]
     pub(crate) jobs: usize,
     #[command(flatten)]
+    pub(crate) bare: BareArguments,
+    #[command(flatten)]
     pub(crate) height_map: HeightMapArguments,
+    #[command(flatten)]
+    pub(crate) mesh: MeshArguments,
+}
+
+/// What a recipe would say of either, for a height map or a mesh without one.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "For a height map or a mesh without a recipe")]
+pub(crate) struct BareArguments {
+    /// How the horizon of a height map is found: sweep (fastest), accurate or exact; how the curvature of a mesh is: fast or
+    /// accurate [default: accurate]
+    #[arg(long, value_parser = method)]
+    pub(crate) method: Option<MethodName>,
+    /// The unit of heights, spacing and radius, or of the mesh: metre, centimetre, millimetre, kilometre
+    /// [default: scene_unit]
+    #[arg(long, value_parser = unit)]
+    pub(crate) unit: Option<LengthUnit>,
+    /// How tables are stored: f32, f16, u8 or compact; heights and curvatures are f16 at least [default: compact]
+    #[arg(long, value_parser = encoding)]
+    pub(crate) encoding: Option<TableEncoding>,
+    /// How sections are packed: none or zstd [default: none]
+    #[arg(long, value_parser = compression)]
+    pub(crate) compression: Option<Compression>,
 }
 
 /// What a recipe would say, for a height map without one.
@@ -84,18 +110,12 @@ pub(crate) struct HeightMapArguments {
     /// Bake azimuths from FIRST to LAST only, in degrees counter-clockwise from +u: where the sun never stands elsewhere
     #[arg(long, value_name = "FIRST,LAST", allow_hyphen_values = true, value_parser = arc)]
     pub(crate) arc: Option<(f64, f64)>,
-    /// How the horizon is found: sweep (fastest), accurate or exact [default: accurate]
-    #[arg(long, value_parser = method)]
-    pub(crate) method: Option<HorizonMethod>,
     /// What lies beyond the edge: wrap or clamp [default: clamp]
     #[arg(long, value_name = "EDGE", value_parser = edge)]
     pub(crate) edge: Option<Edge>,
     /// Length per texel, or two: along u and along v [default: 1]
     #[arg(long, value_name = "LENGTH[,LENGTH]", allow_hyphen_values = true, value_parser = spacing)]
     pub(crate) spacing: Option<Spacing>,
-    /// The unit of heights, spacing and radius: metre, centimetre, millimetre, kilometre [default: scene_unit]
-    #[arg(long, value_parser = unit)]
-    pub(crate) unit: Option<LengthUnit>,
     /// What a whole number in the file means: normalised (full scale is 1) or raw [default: normalised]
     #[arg(long, value_parser = integers)]
     pub(crate) integers: Option<Integers>,
@@ -108,12 +128,6 @@ pub(crate) struct HeightMapArguments {
     /// How far the horizon is searched [default: the diagonal; the longer side if the map wraps]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = positive)]
     pub(crate) radius: Option<f64>,
-    /// How tables are stored: f32, f16, u8 or compact; heights are f16 at least [default: compact]
-    #[arg(long, value_parser = encoding)]
-    pub(crate) encoding: Option<TableEncoding>,
-    /// How sections are packed: none or zstd [default: none]
-    #[arg(long, value_parser = compression)]
-    pub(crate) compression: Option<Compression>,
     /// The channel that holds the height
     #[arg(long, value_name = "NAME")]
     pub(crate) channel: Option<String>,
@@ -123,6 +137,60 @@ pub(crate) struct HeightMapArguments {
     /// The height of texels without data: lowest, nearest or a length
     #[arg(long, value_name = "RULE", allow_hyphen_values = true, value_parser = fill)]
     pub(crate) fill: Option<Fill>,
+}
+
+/// What a recipe would say, for a mesh without one.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "For a mesh without a recipe")]
+pub(crate) struct MeshArguments {
+    /// Where the mesh's normals on the two sides of an edge differ by more, the surface is not smooth across it [default: 30]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = hard_edge)]
+    pub(crate) hard_edge: Option<f64>,
+}
+
+/// The methods of both bakers: which of them a word may name, the input decides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum MethodName {
+    /// Horizons.
+    Sweep,
+    /// Curvature.
+    Fast,
+    /// Either.
+    Accurate,
+    /// Horizons.
+    Exact,
+}
+
+impl MethodName {
+    const ALL: [Self; 4] = [Self::Sweep, Self::Fast, Self::Accurate, Self::Exact];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Sweep => "sweep",
+            Self::Fast => "fast",
+            Self::Accurate => "accurate",
+            Self::Exact => "exact",
+        }
+    }
+
+    /// The method of a horizon that is called so.
+    pub(crate) fn of_a_horizon(self) -> Option<HorizonMethod> {
+        match self {
+            Self::Sweep => Some(HorizonMethod::Sweep),
+            Self::Accurate => Some(HorizonMethod::Accurate),
+            Self::Exact => Some(HorizonMethod::Exact),
+            Self::Fast => None,
+        }
+    }
+
+    /// The method of curvature that is called so.
+    pub(crate) fn of_curvature(self) -> Option<CurvatureMethod> {
+        match self {
+            Self::Fast => Some(CurvatureMethod::Fast),
+            Self::Accurate => Some(CurvatureMethod::Accurate),
+            Self::Sweep | Self::Exact => None,
+        }
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -267,10 +335,12 @@ fn encoding(text: &str) -> Result<TableEncoding, String> {
     word(text, &encodings)
 }
 
-fn method(text: &str) -> Result<HorizonMethod, String> {
-    let methods =
-        [("sweep", HorizonMethod::Sweep), ("accurate", HorizonMethod::Accurate), ("exact", HorizonMethod::Exact)];
-    word(text, &methods)
+fn method(text: &str) -> Result<MethodName, String> {
+    word(text, &MethodName::ALL.map(|method| (method.name(), method)))
+}
+
+fn hard_edge(text: &str) -> Result<f64, String> {
+    number(text, "0 to 180 degrees", |value| (0.0..=180.0).contains(&value))
 }
 
 fn arc(text: &str) -> Result<(f64, f64), String> {

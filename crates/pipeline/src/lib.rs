@@ -9,13 +9,18 @@ mod accuracy;
 mod bake;
 mod bounds;
 mod clock;
+mod curvature;
 mod directions;
 mod error;
 mod layout;
+mod mesh_input;
+mod mesh_provenance;
+mod mesh_recipe;
 mod pair;
 mod plan;
 mod provenance;
 mod recipe;
+mod relief;
 mod report;
 mod sink;
 mod source;
@@ -26,6 +31,10 @@ mod table;
 pub use accuracy::HorizonAccuracy;
 pub use bake::{Baked, Progress, Run, bake};
 pub use error::PipelineError;
+pub use curvature::CurvaturePart;
+pub use mesh_input::{MeshInput, read_mesh_file};
+pub use mesh_provenance::{CurvatureProvenance, FlagCount, MendedMesh, MeshProvenance};
+pub use mesh_recipe::{CurvatureEncoding, CurvatureMethod, CurvatureRecipe, MeshFile, MeshSource};
 pub use plan::{Decision, Plan, PlannedTable};
 pub use provenance::{
     CanonicalRecipe, EncodingProvenance, HorizonProvenance, InputProvenance, PROVENANCE_SCHEMA, Provenance,
@@ -35,5 +44,5 @@ pub use recipe::{
     Compression, CurvedRecipe, DistanceRecipe, HeightMapSource, HeightRecipe, HorizonMethod, HorizonRecipe, Recipe,
     RecipeError, Scene, ShapeSource, SkyRecipe, Source, TableEncoding,
 };
-pub use report::{BAKE_SCHEMA, BakeReport, GridReport, LeftOut, StageTime, TableReport};
+pub use report::{BAKE_SCHEMA, BakeReport, ColumnReport, GridReport, LeftOut, MeshReport, StageTime, TableReport};
 pub use table::Table;

@@ -1,10 +1,11 @@
 //! What will be baked, what is left out, and why.
 
+use barchan_asset::Encoding;
 use barchan_bakers::horizon::Azimuths;
 use barchan_bakers::sky::MIN_SKY_DIRECTIONS;
 use barchan_bakers::swept::SweptParams;
 
-use crate::{HorizonRecipe, PipelineError, Recipe, Scene, Table, TableEncoding};
+use crate::{HorizonRecipe, PipelineError, Recipe, Scene, Table};
 
 /// A recipe with a decision for every table.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,15 +34,18 @@ pub enum Decision {
     Bake,
     /// The scene does not need it.
     LeaveOut,
+    /// The recipe has nothing to bake it from.
+    NoInput,
 }
 
 impl Plan {
-    /// Decides on every table. `only`, where given, overrides the scene.
+    /// Decides on every table. `only`, where given, overrides the scene, but not what there is to bake from.
     #[must_use]
     pub fn new(recipe: Recipe, only: Option<&[Table]>) -> Self {
         let decide = |table| {
             let (decision, reason) = match only {
                 Some(chosen) if chosen.contains(&table) => (Decision::Bake, "named by --only"),
+                _ if !has_input(&recipe, table) => (Decision::NoInput, missing_input(table)),
                 Some(_) => (Decision::LeaveOut, "not named by --only"),
                 None => decide(table, recipe.scene, &recipe.horizon),
             };
@@ -56,10 +60,22 @@ impl Plan {
         self.tables.iter().any(|planned| planned.table == table && planned.decision == Decision::Bake)
     }
 
-    /// Whether horizons are looked for: all tables but the heights come from them.
+    /// Whether horizons are looked for: all tables of relief but the heights come from them.
     #[must_use]
     pub fn needs_horizon(&self) -> bool {
-        Table::ALL.into_iter().any(|table| table != Table::Height && self.bakes(table))
+        Table::ALL.into_iter().any(|table| table != Table::Height && !table.is_of_a_mesh() && self.bakes(table))
+    }
+
+    /// Refuses to bake a table from nothing.
+    ///
+    /// # Errors
+    /// The first such table.
+    pub(crate) fn check(&self) -> Result<(), PipelineError> {
+        let baseless = |table: &Table| self.bakes(*table) && !has_input(&self.recipe, *table);
+        match Table::ALL.into_iter().find(baseless) {
+            Some(table) => Err(PipelineError::NoInput { table: table.name(), missing: missing_input(table) }),
+            None => Ok(()),
+        }
     }
 
     /// The range of curvatures that the scene names.
@@ -80,21 +96,36 @@ impl Plan {
         Ok(Some(self.recipe.curved.params(range)))
     }
 
+    /// Why the scene does without a table that could be baked; `None` if it is baked or cannot be.
+    pub(crate) fn left_out(&self, table: Table) -> Option<&'static str> {
+        let planned = self.tables.iter().find(|planned| planned.table == table)?;
+        (planned.decision == Decision::LeaveOut).then_some(planned.reason)
+    }
+
     /// How a table is stored, or would be.
     #[must_use]
-    pub fn encoding(&self, table: Table) -> TableEncoding {
-        let Recipe { height, horizon, distance, curved, sky, .. } = &self.recipe;
+    pub fn encoding(&self, table: Table) -> Encoding {
+        let Recipe { height, horizon, distance, curved, sky, curvature, .. } = &self.recipe;
         match table {
-            Table::Height => height.encoding,
-            Table::Horizon => horizon.encoding,
-            Table::Distance => distance.encoding,
-            Table::SweptHorizon | Table::SweptDistance => curved.encoding,
-            Table::SkyVisibility | Table::BentNormal | Table::ApertureCone => sky.encoding,
+            Table::Height => height.encoding.into(),
+            Table::Horizon => horizon.encoding.into(),
+            Table::Distance => distance.encoding.into(),
+            Table::SweptHorizon | Table::SweptDistance => curved.encoding.into(),
+            Table::SkyVisibility | Table::BentNormal | Table::ApertureCone => sky.encoding.into(),
+            Table::Curvature => curvature.encoding.into(),
         }
     }
 }
 
 type Reasoned = (Decision, &'static str);
+
+fn has_input(recipe: &Recipe, table: Table) -> bool {
+    if table.is_of_a_mesh() { recipe.mesh.is_some() } else { recipe.source.is_some() }
+}
+
+fn missing_input(table: Table) -> &'static str {
+    if table.is_of_a_mesh() { "there is no mesh" } else { "there is no height map" }
+}
 
 fn decide(table: Table, scene: Option<Scene>, horizon: &HorizonRecipe) -> Reasoned {
     match table {
@@ -106,6 +137,7 @@ fn decide(table: Table, scene: Option<Scene>, horizon: &HorizonRecipe) -> Reason
             Some(scene) => decide_sky(table, scene),
             None => decide_sky_of_a_bare_map(table, horizon),
         },
+        Table::Curvature => (Decision::Bake, "what the mesh is there for"),
     }
 }
 

@@ -1,0 +1,235 @@
+//! The curvature table of a mesh: found, cut down to the columns that somebody can use, and written.
+
+use std::io::{Read, Seek, Write};
+
+use barchan_asset::{
+    ColumnLayout, CurvatureColumn, CurvatureTable, EncodedCurvature, EncodingLoss, LengthUnit, SurfaceForms, VertexFlags,
+};
+use barchan_bakers::Exec;
+use barchan_bakers::curvature::{self, MeshCurvature, VertexForms};
+
+use crate::clock::Clock;
+use crate::error::refused;
+use crate::layout::length_unit;
+use crate::mesh_provenance::CurvatureProvenance;
+use crate::provenance::EncodingProvenance;
+use crate::sink::Sink;
+use crate::{CurvatureEncoding, CurvatureRecipe, MeshInput, PipelineError, Plan, Run, Table};
+
+/// Columns that are of use only together, which are baked or left out as one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum CurvaturePart {
+    /// κ1 and κ2.
+    Principal,
+    /// Principal directions in three dimensions.
+    Directions,
+    /// The fundamental forms in texture coordinates.
+    Forms,
+    /// Principal directions in texture coordinates.
+    UvDirections,
+    /// Remarks on vertices.
+    Flags,
+}
+
+impl CurvaturePart {
+    /// What a report calls a part that is left out.
+    pub(crate) fn full_name(self) -> &'static str {
+        match self {
+            Self::Principal => "curvature.principal",
+            Self::Directions => "curvature.directions",
+            Self::Forms => "curvature.forms",
+            Self::UvDirections => "curvature.uv_directions",
+            Self::Flags => "curvature.flags",
+        }
+    }
+
+    /// What it takes per vertex.
+    pub(crate) fn vertex_bytes(self, encoding: CurvatureEncoding) -> u64 {
+        let format = |column: &CurvatureColumn| column.formats()[usize::from(encoding == CurvatureEncoding::F16)];
+        self.columns().iter().map(|column| u64::from(format(column).stride())).sum()
+    }
+
+    /// Every part, in the order of the file.
+    pub const ALL: [Self; 5] = [Self::Principal, Self::Directions, Self::Forms, Self::UvDirections, Self::Flags];
+
+    /// `principal`, `directions`, `forms`, `uv_directions` or `flags`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Principal => "principal",
+            Self::Directions => "directions",
+            Self::Forms => "forms",
+            Self::UvDirections => "uv_directions",
+            Self::Flags => "flags",
+        }
+    }
+
+    /// The columns it is stored in.
+    #[must_use]
+    pub fn columns(self) -> &'static [CurvatureColumn] {
+        match self {
+            Self::Principal => &[CurvatureColumn::Principal],
+            Self::Directions => &[CurvatureColumn::Direction1, CurvatureColumn::Direction2],
+            Self::Forms => &[CurvatureColumn::FirstForm, CurvatureColumn::SecondForm],
+            Self::UvDirections => &[CurvatureColumn::UvDirections],
+            Self::Flags => &[CurvatureColumn::Flags],
+        }
+    }
+}
+
+/// What was found of a mesh.
+pub(crate) struct FoundCurvature {
+    found: MeshCurvature,
+    forms: Option<Vec<VertexForms>>,
+    /// All remarks on each vertex, those on texture coordinates too.
+    flags: Vec<VertexFlags>,
+    pub(crate) provenance: CurvatureProvenance,
+}
+
+/// The table in the file, and what is not in it.
+pub(crate) struct WrittenCurvature {
+    pub(crate) encoded: EncodedCurvature,
+    /// The parts that are not there, and why.
+    pub(crate) left_out: Vec<(CurvaturePart, &'static str)>,
+}
+
+impl WrittenCurvature {
+    /// What storing cost each column.
+    pub(crate) fn encodings(&self) -> impl Iterator<Item = EncodingProvenance> {
+        let descriptor = self.encoded.descriptor();
+        self.encoded.losses().iter().map(|(column, loss)| EncodingProvenance {
+            table: format!("{}.{}", Table::Curvature.name(), column.name()),
+            format: descriptor.column(*column).map_or("", |layout| layout.format.name()).to_owned(),
+            unit: column_unit(*column, descriptor.length_unit()).to_owned(),
+            rms: loss.rms,
+            max: loss.max,
+        })
+    }
+
+    /// The columns in the file, with what storing cost them: nothing, for flags.
+    pub(crate) fn columns(&self) -> impl Iterator<Item = (&ColumnLayout, EncodingLoss)> {
+        let losses = self.encoded.losses();
+        self.encoded.descriptor().columns().map(|layout| {
+            let loss = losses.iter().find(|(column, _)| *column == layout.column);
+            (layout, loss.map(|(_, loss)| *loss).unwrap_or_default())
+        })
+    }
+}
+
+/// The symbol of the unit of a column's numbers.
+pub(crate) fn column_unit(column: CurvatureColumn, length: LengthUnit) -> &'static str {
+    let [per_length, squared] = match length {
+        LengthUnit::SceneUnit => ["1/unit", "units²"],
+        LengthUnit::Metre => ["1/m", "m²"],
+        LengthUnit::Centimetre => ["1/cm", "cm²"],
+        LengthUnit::Millimetre => ["1/mm", "mm²"],
+        LengthUnit::Kilometre => ["1/km", "km²"],
+    };
+    match column {
+        CurvatureColumn::Principal | CurvatureColumn::UvDirections => per_length,
+        CurvatureColumn::FirstForm => squared,
+        CurvatureColumn::SecondForm => length.symbol(),
+        CurvatureColumn::Direction1 | CurvatureColumn::Direction2 | CurvatureColumn::Flags => "",
+    }
+}
+
+/// Finds the curvature of a mesh, with progress of its own.
+pub(crate) fn find(
+    plan: &Plan,
+    input: &MeshInput,
+    run: &Run<'_>,
+    clock: &mut Clock<'_>,
+) -> Result<FoundCurvature, PipelineError> {
+    let recipe = &plan.recipe.curvature;
+    if recipe.uv_directions && input.mesh.uvs().is_none() {
+        return Err(PipelineError::NoTextureCoordinates);
+    }
+    let progress = |done, total| (run.progress)("curvature", done, total);
+    let exec = Exec::new(run.threads).map_err(|error| refused("-j", error))?.with_progress(&progress);
+    clock.announce("curvature", 0, 1);
+    let bake = || curvature::bake(&input.mesh, &recipe.params(), &exec);
+    let found = clock.time("curvature", bake).map_err(|error| refused("curvature", error))?;
+    let forms = clock.time("forms", || curvature::forms(&input.mesh, &found, &exec));
+    let flags = all_flags(&found, forms.as_deref());
+    let provenance = CurvatureProvenance::new(recipe, &found, &flags);
+    Ok(FoundCurvature { found, forms, flags, provenance })
+}
+
+fn all_flags(found: &MeshCurvature, forms: Option<&[VertexForms]>) -> Vec<VertexFlags> {
+    let of_surface = found.vertices.iter().map(|vertex| vertex.flags);
+    match forms {
+        Some(forms) => of_surface.zip(forms).map(|(flags, forms)| flags | forms.flags).collect(),
+        None => of_surface.collect(),
+    }
+}
+
+impl FoundCurvature {
+    /// Encodes and writes the table.
+    pub(crate) fn write<W: Read + Write + Seek>(
+        &self,
+        plan: &Plan,
+        input: &MeshInput,
+        sink: &mut Sink<'_, W>,
+    ) -> Result<WrittenCurvature, PipelineError> {
+        let left_out: Vec<_> = CurvaturePart::ALL
+            .into_iter()
+            .filter_map(|part| Some((part, self.reason_against(part, &plan.recipe.curvature)?)))
+            .collect();
+        let has = |part| left_out.iter().all(|(absent, _)| *absent != part);
+        let encoded = sink.clock.time("encode", || {
+            let principal: Vec<_> =
+                self.found.vertices.iter().map(|vertex| vertex.principal.map(|curvature| curvature as f32)).collect();
+            let directions = has(CurvaturePart::Directions).then(|| self.directions());
+            let forms = has(CurvaturePart::Forms).then(|| self.surface_forms());
+            let uv_directions = has(CurvaturePart::UvDirections).then(|| self.uv_directions());
+            let table = CurvatureTable {
+                length_unit: length_unit(input.unit),
+                principal: &principal,
+                directions: directions.as_deref(),
+                forms: forms.as_deref(),
+                uv_directions: uv_directions.as_deref(),
+                flags: &self.flags,
+            };
+            table.encode(plan.recipe.curvature.encoding.into())
+        });
+        let encoded = encoded.map_err(|error| PipelineError::Encode { table: Table::Curvature.name(), error })?;
+        sink.curvature(&encoded)?;
+        Ok(WrittenCurvature { encoded, left_out })
+    }
+
+    /// Why a part is of no use; `None` if it is of some.
+    fn reason_against(&self, part: CurvaturePart, recipe: &CurvatureRecipe) -> Option<&'static str> {
+        const NO_UVS: &str = "the mesh has no texture coordinates";
+        match part {
+            CurvaturePart::Principal => None,
+            CurvaturePart::Directions => match (recipe.directions, &self.forms) {
+                (Some(true), _) | (None, None) => None,
+                (Some(false), _) => Some("the recipe does without them"),
+                (None, Some(_)) => Some("the forms hold them, in texture coordinates"),
+            },
+            CurvaturePart::Forms => self.forms.is_none().then_some(NO_UVS),
+            CurvaturePart::UvDirections if self.forms.is_none() => Some(NO_UVS),
+            CurvaturePart::UvDirections => {
+                (!recipe.uv_directions).then_some("the recipe does not ask for them: the forms are what to interpolate")
+            }
+            CurvaturePart::Flags => {
+                let is_plain = self.flags.iter().all(|&flags| flags == VertexFlags::NONE);
+                is_plain.then_some("there is nothing to remark on any vertex")
+            }
+        }
+    }
+
+    fn directions(&self) -> Vec<[[f32; 3]; 2]> {
+        let vertices = self.found.vertices.iter();
+        vertices.map(|vertex| vertex.directions.map(|direction| direction.to_array().map(|x| x as f32))).collect()
+    }
+
+    fn surface_forms(&self) -> Vec<SurfaceForms> {
+        self.forms.iter().flatten().map(|forms| SurfaceForms::nearest(forms.first, forms.second)).collect()
+    }
+
+    fn uv_directions(&self) -> Vec<[[f32; 2]; 2]> {
+        let forms = self.forms.iter().flatten();
+        forms.map(|forms| forms.uv_directions.map(|direction| direction.to_array().map(|x| x as f32))).collect()
+    }
+}

@@ -1,0 +1,80 @@
+//! The mesh a recipe names, read, and what is to be said of it.
+
+use std::path::Path;
+
+use barchan_field::{LengthUnit, Mesh};
+use barchan_import::{ImportError, MeshOptions, MeshSourceInfo, buffers_beside, decode_mesh, read_file};
+
+use crate::mesh_provenance::MeshProvenance;
+use crate::report::MeshReport;
+use crate::{MeshFile, MeshSource, PipelineError, Recipe};
+
+/// A mesh and where it came from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshInput {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// What its positions are measured in.
+    pub unit: LengthUnit,
+    /// What an asset says of it.
+    pub provenance: MeshProvenance,
+    /// What a report says of it.
+    pub report: MeshReport,
+}
+
+/// Reads the mesh of a recipe. Relative paths start at `folder`.
+pub(crate) fn load(recipe: &Recipe, source: &MeshSource, folder: &Path) -> Result<MeshInput, PipelineError> {
+    let MeshSource::File(file) = source;
+    let file = MeshFile { path: folder.join(&file.path), ..file.clone() };
+    Ok(read_mesh_file(&file, recipe.mesh_unit())?)
+}
+
+/// Reads a mesh; a `unit` overrides what its format says.
+///
+/// # Errors
+/// A file that cannot be read or is no mesh; each begins with the path.
+pub fn read_mesh_file(file: &MeshFile, unit: Option<LengthUnit>) -> Result<MeshInput, ImportError> {
+    let MeshFile { path, mesh: name } = file;
+    let bytes = read_file(path)?;
+    let mut digest = blake3::Hasher::new();
+    digest.update(&bytes);
+    let mut beside = buffers_beside(path);
+    // A glTF file may keep its numbers in others: the digest is of all of them, in the order in which they are read.
+    let mut read_buffer = |name: &str| {
+        let buffer = beside(name)?;
+        digest.update(&buffer);
+        Ok(buffer)
+    };
+    let options = MeshOptions { unit, mesh: name.clone(), ..MeshOptions::default() };
+    let imported = decode_mesh(&bytes, &options, &mut read_buffer)
+        .map_err(|cause| ImportError::Content { path: path.clone(), cause })?;
+    let blake3 = digest.finalize().to_hex().to_string();
+    let (unit, source) = (imported.unit, &imported.source);
+    Ok(MeshInput {
+        provenance: MeshProvenance {
+            blake3,
+            format: source.format.to_string(),
+            mesh: name.clone(),
+            vertices: source.vertices,
+            triangles: source.triangles,
+        },
+        report: report(path, unit, source),
+        mesh: imported.mesh,
+        unit,
+    })
+}
+
+fn report(path: &Path, unit: LengthUnit, source: &MeshSourceInfo) -> MeshReport {
+    let name = source.name.as_ref().map(|name| format!(", {name:?}")).unwrap_or_default();
+    MeshReport {
+        source: format!("{} ({}{name})", path.display(), source.format),
+        vertices: source.vertices,
+        triangles: source.triangles,
+        unit: unit.symbol(),
+        seam_vertices: source.seam_vertices,
+        polygons: source.polygons,
+        uvs_missing: source.uvs_missing,
+        normals_replaced: source.normals_replaced,
+        ignored: source.ignored,
+    }
+}
