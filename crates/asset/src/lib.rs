@@ -67,7 +67,10 @@ mod write;
 
 pub use asset::{Asset, MAJOR, MAX_SECTIONS, MINOR};
 pub use azimuths::Azimuths;
-pub use curvature::VertexFlags;
+pub use curvature::{
+    CURVATURE_VERSION, ColumnLayout, CurvatureColumn, CurvatureDescriptor, CurvatureError, CurvatureView, SurfaceForms,
+    VertexFlags, VertexFormat,
+};
 pub use descriptor::{DescriptorError, MAX_EXTENT, MAX_LAYERS, SECTION_VERSION, TextureDescriptor};
 pub use error::{OpenError, SectionFault};
 pub use kind::SectionKind;
@@ -85,8 +88,8 @@ pub use view::TableView;
 pub use views::{DistanceView, HeightView, HorizonView, SweptDistanceView, SweptHorizonView};
 #[cfg(feature = "write")]
 pub use write::{
-    ApertureConeTable, AssetStream, AssetWriter, BentNormalTable, CurvatureSweep, DistanceTable, EncodeError, Encoding,
-    EncodingLoss, Finished, HeightTable, HorizonTable, LayerMeasure, RawSection, SkyVisibilityTable,
-    SweptDistanceTable, SweptHorizonTable, TableEncoder, TableFacts, TableGrid, TextureTable, WriteError,
-    content_identity,
+    ApertureConeTable, AssetStream, AssetWriter, BentNormalTable, CurvatureSweep, CurvatureTable, DistanceTable,
+    EncodeError, EncodedCurvature, Encoding, EncodingLoss, Finished, HeightTable, HorizonTable, LayerMeasure,
+    RawSection, SkyVisibilityTable, SweptDistanceTable, SweptHorizonTable, TableEncoder, TableFacts, TableGrid,
+    TextureTable, WriteError, content_identity,
 };
