@@ -48,13 +48,17 @@ mod fill;
 mod height_map;
 mod heights;
 mod limits;
+mod mesh;
 mod npy;
 mod options;
 mod png;
 mod samples;
 mod tiff;
 
-pub use detect::Format;
+pub use detect::{Format, detect};
 pub use error::{DecodeError, ImportError};
 pub use height_map::{HeightMap, SourceInfo, decode_height_map, read_file, read_height_map};
+pub use mesh::{
+    ImportedMesh, MeshError, MeshOptions, MeshSourceInfo, buffers_beside, decode_mesh, no_buffers, read_mesh,
+};
 pub use options::{Fill, HeightMapOptions, Integers};
