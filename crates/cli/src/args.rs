@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use barchan_field::{Edge, LengthUnit, Spacing};
 use barchan_import::{Fill, Integers};
-use barchan_pipeline::{Compression, CurvatureMethod, HorizonMethod, Table, TableEncoding};
+use barchan_pipeline::{Compression, CurvatureMethod, CurvaturePart, HorizonMethod, Table, TableEncoding};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// Bakes relief into tables that a shader can read.
@@ -32,7 +32,7 @@ pub(crate) enum Command {
   barchan inspect dunes.barchan
   barchan inspect dunes.barchan --json | jq .provenance.horizon.accuracy")]
     Inspect(FileArguments),
-    /// Write a table's values as text, CSV, NPY, PNG or EXR
+    /// Write a table's values as text, CSV, NPY, PNG, EXR or PLY
     Dump(DumpArguments),
     /// Check every byte of a .barchan file
     #[command(after_help = "Examples:
@@ -146,6 +146,9 @@ pub(crate) struct MeshArguments {
     /// Where the mesh's normals on the two sides of an edge differ by more, the surface is not smooth across it [default: 30]
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = hard_edge)]
     pub(crate) hard_edge: Option<f64>,
+    /// Which mesh of a glTF file that has several: its name, or its number counted from 0
+    #[arg(long, value_name = "NAME")]
+    pub(crate) mesh: Option<String>,
 }
 
 /// The methods of both bakers: which of them a word may name, the input decides.
@@ -209,32 +212,73 @@ pub(crate) enum ProgressStyleName {
 #[command(
     after_help = "Values: heights and distances in the length unit, horizons as the slope (tangent of the elevation) \
 in npy, as degrees in text, as both in csv, as radians in exr, over the table's range in png; sky visibility from 0 to 1; bent \
-normal and aperture cone as u, v, height and cosine of the half-angle, in png as red, green, blue and alpha.
+normal and aperture cone as u, v, height and cosine of the half-angle, in png as red, green, blue and alpha; curvatures in 1 / \
+length unit, positive where convex, in ply as a colour from blue (concave) over white to red (convex).
 
 Examples:
   barchan dump dunes.barchan horizon --format npy -o horizon.npy     float32 [directions, height, width]
   barchan dump dunes.barchan height --format exr -o height.exr
   barchan dump dunes.barchan horizon --layer 4 --format png -o east.png
-  barchan dump dunes.barchan height --format csv | head"
+  barchan dump dunes.barchan height --format csv | head
+  barchan dump rock.barchan curvature --format npy -o rock.npy       float32 [vertices, 2]
+  barchan dump rock.barchan curvature --format ply --mesh rock.obj -o coloured.ply"
 )]
 pub(crate) struct DumpArguments {
     /// The .barchan file
     pub(crate) file: PathBuf,
-    /// height, horizon, distance, swept_horizon, swept_distance, sky_visibility, bent_normal or aperture_cone; may be left
-    /// out if the file has one table
+    /// height, horizon, distance, swept_horizon, swept_distance, sky_visibility, bent_normal, aperture_cone or curvature; may
+    /// be left out if the file has one table
     #[arg(value_parser = table)]
     pub(crate) table: Option<Table>,
-    /// One layer (direction) only
-    #[arg(long, value_name = "N")]
-    pub(crate) layer: Option<u32>,
-    /// Mip level
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub(crate) mip: u32,
     #[arg(long, default_value = "text")]
     pub(crate) format: DumpFormat,
     /// Where to write; text and csv go to stdout by default
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) texture: TextureDumpArguments,
+    #[command(flatten)]
+    pub(crate) curvature: CurvatureDumpArguments,
+}
+
+/// What of a texture is dumped.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "For textures")]
+pub(crate) struct TextureDumpArguments {
+    /// One layer (direction) only
+    #[arg(long, value_name = "N")]
+    pub(crate) layer: Option<u32>,
+    /// Mip level [default: 0]
+    #[arg(long, value_name = "N")]
+    pub(crate) mip: Option<u32>,
+}
+
+/// What of the curvature of a mesh is dumped.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "For curvature")]
+pub(crate) struct CurvatureDumpArguments {
+    /// Which numbers in npy and text: principal, directions, forms, uv_directions or flags [default: principal]
+    #[arg(long, value_name = "COLUMN", value_parser = part)]
+    pub(crate) column: Option<CurvaturePart>,
+    /// The mesh that was baked, which ply colours: a .barchan file holds no geometry
+    #[arg(long, value_name = "FILE")]
+    pub(crate) mesh: Option<PathBuf>,
+    /// What ply colours the mesh by [default: mean]
+    #[arg(long, value_name = "CURVATURE")]
+    pub(crate) by: Option<ColouredBy>,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ColouredBy {
+    /// H = (κ1 + κ2) / 2
+    #[default]
+    Mean,
+    /// K = κ1 κ2
+    Gaussian,
+    /// The greatest curvature
+    K1,
+    /// The least curvature
+    K2,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -249,6 +293,8 @@ pub(crate) enum DumpFormat {
     Png,
     /// Float channels, one per layer and number
     Exr,
+    /// The mesh in colour, for any viewer; for curvature
+    Ply,
 }
 
 #[derive(Debug, Args)]
@@ -304,6 +350,10 @@ fn word<T: Copy>(text: &str, words: &[(&str, T)]) -> Result<T, String> {
 
 fn table(text: &str) -> Result<Table, String> {
     word(text, &Table::ALL.map(|table| (table.name(), table)))
+}
+
+fn part(text: &str) -> Result<CurvaturePart, String> {
+    word(text, &CurvaturePart::ALL.map(|part| (part.name(), part)))
 }
 
 fn edge(text: &str) -> Result<Edge, String> {

@@ -8,6 +8,7 @@ mod console;
 mod dump;
 mod failure;
 mod inspect;
+mod mesh_words;
 mod output;
 mod progress;
 mod render;

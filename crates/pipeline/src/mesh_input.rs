@@ -68,6 +68,7 @@ fn report(path: &Path, unit: LengthUnit, source: &MeshSourceInfo) -> MeshReport 
     let name = source.name.as_ref().map(|name| format!(", {name:?}")).unwrap_or_default();
     MeshReport {
         source: format!("{} ({}{name})", path.display(), source.format),
+        path: path.to_owned(),
         vertices: source.vertices,
         triangles: source.triangles,
         unit: unit.symbol(),

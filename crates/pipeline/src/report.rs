@@ -1,5 +1,7 @@
 //! What a bake did, for machines; the CLI prints it for people.
 
+use std::path::PathBuf;
+
 use barchan_asset::{Finished, SectionKind, Semantic};
 use barchan_field::HeightField;
 use serde::Serialize;
@@ -76,6 +78,8 @@ pub struct GridReport {
 pub struct MeshReport {
     /// The file, in words.
     pub source: String,
+    /// The file, as a path from the current folder.
+    pub path: PathBuf,
     /// Vertices: the rows of the table.
     pub vertices: u64,
     /// Triangles.

@@ -13,6 +13,9 @@ use barchan_field::Mesh;
 
 use crate::{BakeError, Exec};
 
+/// Names what the baker does, for provenance: it changes when the same input gives other numbers.
+pub const ALGORITHM: &str = "curvature-jets-1";
+
 /// Bakes the curvature of every vertex.
 ///
 /// # Errors

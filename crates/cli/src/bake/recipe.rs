@@ -1,11 +1,13 @@
 //! What is to be baked: the recipe that was named, or the one that the flags spell for a bare height map or mesh.
 
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use barchan_import::{MeshFormat, detect_mesh};
-use barchan_pipeline::{CurvatureEncoding, HeightMapSource, MeshSource, Recipe, RecipeError, Source, TableEncoding};
+use barchan_import::{Format, detect};
+use barchan_pipeline::{CurvatureEncoding, HeightMapSource, MeshFile, MeshSource, Recipe, RecipeError, Source, TableEncoding};
 
-use crate::args::{BakeArguments, BareArguments, HeightMapArguments, MethodName};
+use crate::args::{BakeArguments, BareArguments, HeightMapArguments, MeshArguments, MethodName};
 use crate::failure::Failure;
 
 pub(super) fn is_recipe(input: &Path) -> bool {
@@ -30,11 +32,25 @@ pub(super) fn recipe(arguments: &BakeArguments) -> Result<Recipe, Failure> {
             Some(flag) => Err(Failure::Usage(format!("{flag} is for height maps; {shown} is a mesh ({format})"))),
             None => bare_mesh(arguments),
         },
-        None if arguments.mesh.hard_edge.is_some() => {
-            Err(Failure::Usage(format!("--hard-edge is for meshes; {shown} is no mesh")))
-        }
-        None => bare_height_map(input.clone(), &arguments.bare, &arguments.height_map),
+        None => match first_mesh_flag(&arguments.mesh) {
+            Some(flag) => Err(Failure::Usage(format!("{flag} is for meshes; {shown} is a height map"))),
+            None => bare_height_map(input.clone(), &arguments.bare, &arguments.height_map),
+        },
     }
+}
+
+/// The format of a file that is a mesh. What cannot be read is left to whoever reads all of it, and says why not.
+fn mesh_format(path: &Path) -> Result<Option<Format>, Failure> {
+    // Signatures are short; a text may begin with a page of comments.
+    const HEAD_BYTES: u64 = 1 << 20;
+    let is_file = path.metadata().is_ok_and(|about| about.is_file());
+    let Some(file) = is_file.then(|| File::open(path).ok()).flatten() else { return Ok(None) };
+    let mut head = Vec::new();
+    if file.take(HEAD_BYTES).read_to_end(&mut head).is_err() {
+        return Ok(None);
+    }
+    let format = detect(&head).map_err(|error| Failure::content(path, error))?;
+    Ok(format.is_mesh().then_some(format))
 }
 
 fn read(path: &Path) -> Result<Recipe, Failure> {
@@ -81,7 +97,8 @@ fn bare_height_map(path: PathBuf, bare: &BareArguments, flags: &HeightMapArgumen
 /// The recipe that the flags spell for a mesh.
 fn bare_mesh(arguments: &BakeArguments) -> Result<Recipe, Failure> {
     let bare = &arguments.bare;
-    let mut recipe = Recipe::bare_mesh(MeshSource::File(arguments.input.clone()));
+    let file = MeshFile { path: arguments.input.clone(), mesh: arguments.mesh.mesh.clone() };
+    let mut recipe = Recipe::bare_mesh(MeshSource::File(file));
     set_common(&mut recipe, bare);
     let curvature = &mut recipe.curvature;
     curvature.hard_edge_degrees = arguments.mesh.hard_edge.unwrap_or(curvature.hard_edge_degrees);
@@ -104,7 +121,7 @@ fn bare_mesh(arguments: &BakeArguments) -> Result<Recipe, Failure> {
 }
 
 fn set_common(recipe: &mut Recipe, bare: &BareArguments) {
-    recipe.unit = bare.unit.unwrap_or(recipe.unit);
+    recipe.unit = bare.unit;
     recipe.compression = bare.compression.unwrap_or(recipe.compression);
 }
 
@@ -121,9 +138,13 @@ fn first_flag(arguments: &BakeArguments) -> Option<(&'static str, &'static str)>
         ("--encoding", bare.encoding.is_some()),
         ("--compression", bare.compression.is_some()),
     ]);
-    let hard_edge = first_typed(&[("--hard-edge", arguments.mesh.hard_edge.is_some())]);
     let height_map = first_height_map_flag(&arguments.height_map).map(|flag| (flag, "a height map"));
-    height_map.or(hard_edge.map(|flag| (flag, "a mesh"))).or(common.map(|flag| (flag, "a height map or a mesh")))
+    let mesh = first_mesh_flag(&arguments.mesh).map(|flag| (flag, "a mesh"));
+    height_map.or(mesh).or(common.map(|flag| (flag, "a height map or a mesh")))
+}
+
+fn first_mesh_flag(flags: &MeshArguments) -> Option<&'static str> {
+    first_typed(&[("--hard-edge", flags.hard_edge.is_some()), ("--mesh", flags.mesh.is_some())])
 }
 
 /// A height-map flag that was typed, if any was.
