@@ -269,7 +269,7 @@ fn table_words(table: &TableReport) -> Vec<String> {
 fn curvature_words(curvature: &CurvatureReport) -> Vec<String> {
     let CurvatureReport { vertices, minimum, maximum, columns, flagged, length, .. } = curvature;
     let [least, greatest] = [minimum, maximum].map(|&curvature| number(curvature.into()));
-    let per = length.trim_end_matches('s');
+    let per = mesh_words::singular(length);
     let flagged = match flagged {
         Some(flagged) => mesh_words::flagged(flagged, (*vertices).into()),
         None => "its remarks cannot be read".to_owned(),
@@ -315,8 +315,8 @@ fn provenance_words(json: &serde_json::Value, length: &str) -> Vec<String> {
 fn curvature_provenance_words(curvature: &CurvatureProvenance, mesh: &MeshProvenance, length: &str) -> Vec<String> {
     let CurvatureProvenance { algorithm, method, hard_edge_degrees, mended, .. } = curvature;
     let mut words = vec![format!("{algorithm} {}, hard edges beyond {hard_edge_degrees}°", method.name())];
-    words.extend(mesh_words::mended(mended));
-    words.extend(mesh_words::findings(curvature, mesh.vertices, length));
+    words.push(mesh_words::welded(mended, mesh.vertices, length));
+    words.push(mesh_words::found(curvature, length));
     words
 }
 

@@ -5,6 +5,7 @@ mod asset_file;
 mod bake;
 mod compare;
 mod console;
+mod curvature_rows;
 mod dump;
 mod failure;
 mod inspect;

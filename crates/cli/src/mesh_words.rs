@@ -19,18 +19,6 @@ pub(crate) fn source(mesh: &MeshReport) -> String {
     format!("{source}, {vertices} vertices, {triangles} triangles{remarks}")
 }
 
-/// What was mended on the way to smooth sheets; `None` if nothing was.
-pub(crate) fn mended(mended: &MendedMesh) -> Option<String> {
-    said([
-        (mended.flipped_triangles, "triangles turned over"),
-        (mended.collapsed_triangles, "triangles without an area left out"),
-        (mended.duplicate_triangles, "double triangles left out"),
-        (mended.non_manifold_edges, "edges of more than two triangles cut"),
-        (mended.hard_edges, "hard edges cut"),
-        (mended.unorientable_edges, "edges without a consistent front cut"),
-    ])
-}
-
 /// Counts that are not zero, if any is not.
 fn said<const N: usize>(counts: [(u64, &str); N]) -> Option<String> {
     let words: Vec<_> =
@@ -38,23 +26,41 @@ fn said<const N: usize>(counts: [(u64, &str); N]) -> Option<String> {
     (!words.is_empty()).then(|| words.join(", "))
 }
 
-/// What was found: how the vertices were welded, the range of curvatures, the noise, and how many vertices are flagged, by cause.
-pub(crate) fn findings(curvature: &CurvatureProvenance, vertices: u64, unit: &str) -> Vec<String> {
-    let MendedMesh { mean_edge, points, .. } = curvature.mended;
-    let per = unit.strip_suffix("units").map_or(unit, |_| "unit");
-    let welded = format!("{points} points of smooth sheets, mean edge {} {unit}", number(mean_edge));
+/// How the vertices became smooth sheets, and what was mended on the way.
+pub(crate) fn welded(mended: &MendedMesh, vertices: u64, unit: &str) -> String {
+    let MendedMesh { mean_edge, points, .. } = mended;
+    let mends = said([
+        (mended.flipped_triangles, "triangles turned over"),
+        (mended.collapsed_triangles, "triangles between fewer than three points left out"),
+        (mended.duplicate_triangles, "double triangles left out"),
+        (mended.non_manifold_edges, "edges of more than two triangles cut"),
+        (mended.hard_edges, "hard edges cut"),
+        (mended.unorientable_edges, "edges cut that no front agrees across"),
+    ]);
+    let mends = mends.unwrap_or_else(|| "nothing to mend".to_owned());
+    format!("{vertices} vertices to {points} points of smooth sheets, mean edge {} {unit}, {mends}", number(*mean_edge))
+}
+
+/// The range of curvatures, and the noise.
+pub(crate) fn found(curvature: &CurvatureProvenance, unit: &str) -> String {
+    let mean_edge = curvature.mended.mean_edge;
     let range = match curvature.range {
-        Some((least, greatest)) => format!("κ from {} to {} per {per}", number(least), number(greatest)),
+        Some((least, greatest)) => format!("κ from {} to {} per {}", number(least), number(greatest), singular(unit)),
         None => "no vertex whose curvature is known".to_owned(),
     };
     let noise = match curvature.noise {
-        0.0 => "no noise that can be told from the surface's shape".to_owned(),
+        0.0 => "no noise that can be told from the surface's own shape".to_owned(),
         noise if mean_edge > 0.0 => {
-            format!("noise of {} {unit} RMS, {} of the mean edge", number(noise), number(noise / mean_edge))
+            format!("noise {} {unit} RMS, {} of the mean edge", number(noise), number(noise / mean_edge))
         }
-        noise => format!("noise of {} {unit} RMS", number(noise)),
+        noise => format!("noise {} {unit} RMS", number(noise)),
     };
-    vec![welded, format!("{range}, {noise}"), flagged(&curvature.flagged, vertices)]
+    format!("{range}, {noise}")
+}
+
+/// `unit` for `units`; symbols of other units as they are.
+pub(crate) fn singular(unit: &str) -> &str {
+    if unit == "units" { "unit" } else { unit }
 }
 
 /// Remarks and on how many vertices; those whose curvature is unknown first.
@@ -65,5 +71,5 @@ pub(crate) fn flagged(counts: &[FlagCount], vertices: u64) -> String {
         if words.is_empty() { "none".to_owned() } else { words.join(", ") }
     };
     let (unknown, others) = counts.iter().partition(is_unknown);
-    format!("of {vertices} vertices unknown and stored as 0: {}; flagged: {}", list(unknown), list(others))
+    format!("of {vertices} vertices, unknown and stored as 0: {}; otherwise remarkable: {}", list(unknown), list(others))
 }

@@ -32,8 +32,9 @@ pub enum CurvaturePart {
 }
 
 impl CurvaturePart {
-    /// What a report calls a part that is left out.
-    pub(crate) fn full_name(self) -> &'static str {
+    /// Its name with that of the table, as in `curvature.forms`.
+    #[must_use]
+    pub fn full_name(self) -> &'static str {
         match self {
             Self::Principal => "curvature.principal",
             Self::Directions => "curvature.directions",

@@ -25,6 +25,9 @@ pub enum PipelineError {
     /// The shape's parameters.
     #[error("source: {0}")]
     Shape(#[from] FieldError),
+    /// The parameters of a surface.
+    #[error("mesh: {0}")]
+    Surface(FieldError),
     /// A generated field that would not fit.
     #[error("source: {width} × {height} texels are {texels}; at most {limit} are accepted")]
     ShapeTooLarge {

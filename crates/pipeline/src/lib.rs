@@ -32,9 +32,9 @@ pub use accuracy::HorizonAccuracy;
 pub use bake::{Baked, Progress, Run, bake};
 pub use error::PipelineError;
 pub use curvature::CurvaturePart;
-pub use mesh_input::{MeshInput, read_mesh_file};
-pub use mesh_provenance::{CurvatureProvenance, FlagCount, MendedMesh, MeshProvenance};
-pub use mesh_recipe::{CurvatureEncoding, CurvatureMethod, CurvatureRecipe, MeshFile, MeshSource};
+pub use mesh_input::{MeshInput, generate_mesh, read_mesh_file};
+pub use mesh_provenance::{CurvatureProvenance, FlagCount, MendedMesh, MeshOrigin, MeshProvenance};
+pub use mesh_recipe::{CurvatureEncoding, CurvatureMethod, CurvatureRecipe, MeshFile, MeshSource, SurfaceSource};
 pub use plan::{Decision, Plan, PlannedTable};
 pub use provenance::{
     CanonicalRecipe, EncodingProvenance, HorizonProvenance, InputProvenance, PROVENANCE_SCHEMA, Provenance,

@@ -1,13 +1,13 @@
-//! The mesh a recipe names, read, and what is to be said of it.
+//! The mesh a recipe names, read or generated, and what is to be said of it.
 
 use std::path::Path;
 
 use barchan_field::{LengthUnit, Mesh};
 use barchan_import::{ImportError, MeshOptions, MeshSourceInfo, buffers_beside, decode_mesh, read_file};
 
-use crate::mesh_provenance::MeshProvenance;
+use crate::mesh_provenance::{MeshOrigin, MeshProvenance};
 use crate::report::MeshReport;
-use crate::{MeshFile, MeshSource, PipelineError, Recipe};
+use crate::{MeshFile, MeshSource, PipelineError, Recipe, SurfaceSource};
 
 /// A mesh and where it came from.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,11 +22,42 @@ pub struct MeshInput {
     pub report: MeshReport,
 }
 
-/// Reads the mesh of a recipe. Relative paths start at `folder`.
+/// Reads or generates the mesh of a recipe. Relative paths start at `folder`.
 pub(crate) fn load(recipe: &Recipe, source: &MeshSource, folder: &Path) -> Result<MeshInput, PipelineError> {
-    let MeshSource::File(file) = source;
-    let file = MeshFile { path: folder.join(&file.path), ..file.clone() };
-    Ok(read_mesh_file(&file, recipe.mesh_unit())?)
+    match source {
+        MeshSource::Surface(surface) => generate_mesh(surface, recipe.mesh_unit().unwrap_or_default()),
+        MeshSource::File(file) => {
+            let file = MeshFile { path: folder.join(&file.path), ..file.clone() };
+            Ok(read_mesh_file(&file, recipe.mesh_unit())?)
+        }
+    }
+}
+
+/// Cuts a closed form into triangles.
+///
+/// # Errors
+/// Parameters of the form or of the tessellation that are out of range.
+pub fn generate_mesh(source: &SurfaceSource, unit: LengthUnit) -> Result<MeshInput, PipelineError> {
+    let SurfaceSource { surface, tessellation } = source;
+    let mesh = surface.tessellate(tessellation).map_err(PipelineError::Surface)?.mesh;
+    let (vertices, triangles) = (mesh.positions().len() as u64, mesh.triangles().len() as u64);
+    Ok(MeshInput {
+        mesh,
+        unit,
+        provenance: MeshProvenance { source: MeshOrigin::Surface(*source), vertices, triangles },
+        report: MeshReport {
+            source: format!("generated {}", surface.name()),
+            path: None,
+            vertices,
+            triangles,
+            unit: unit.symbol(),
+            seam_vertices: 0,
+            polygons: 0,
+            uvs_missing: 0,
+            normals_replaced: 0,
+            ignored: 0,
+        },
+    })
 }
 
 /// Reads a mesh; a `unit` overrides what its format says.
@@ -52,9 +83,7 @@ pub fn read_mesh_file(file: &MeshFile, unit: Option<LengthUnit>) -> Result<MeshI
     let (unit, source) = (imported.unit, &imported.source);
     Ok(MeshInput {
         provenance: MeshProvenance {
-            blake3,
-            format: source.format.to_string(),
-            mesh: name.clone(),
+            source: MeshOrigin::File { blake3, format: source.format.to_string(), mesh: name.clone() },
             vertices: source.vertices,
             triangles: source.triangles,
         },
@@ -68,7 +97,7 @@ fn report(path: &Path, unit: LengthUnit, source: &MeshSourceInfo) -> MeshReport 
     let name = source.name.as_ref().map(|name| format!(", {name:?}")).unwrap_or_default();
     MeshReport {
         source: format!("{} ({}{name})", path.display(), source.format),
-        path: path.to_owned(),
+        path: Some(path.to_owned()),
         vertices: source.vertices,
         triangles: source.triangles,
         unit: unit.symbol(),

@@ -4,21 +4,34 @@ use barchan_asset::VertexFlags;
 use barchan_bakers::curvature::{self, MeshCurvature, MeshReport};
 use serde::{Deserialize, Serialize};
 
-use crate::{CurvatureMethod, CurvatureRecipe};
+use crate::{CurvatureMethod, CurvatureRecipe, SurfaceSource};
 
 /// The mesh that was baked from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MeshProvenance {
-    /// BLAKE3 of the file and of what it refers to, in hexadecimal.
-    pub blake3: String,
-    /// The file's format.
-    pub format: String,
-    /// Which mesh of the file, if one was named.
-    pub mesh: Option<String>,
+    /// Where it came from.
+    pub source: MeshOrigin,
     /// Vertices, which is also the length of the table.
     pub vertices: u64,
     /// Triangles.
     pub triangles: u64,
+}
+
+/// Where a mesh came from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum MeshOrigin {
+    /// A file.
+    File {
+        /// BLAKE3 of its bytes, and of the buffers that a glTF file keeps beside it, in hexadecimal.
+        blake3: String,
+        /// Its format.
+        format: String,
+        /// Which of its meshes, if one was named.
+        mesh: Option<String>,
+    },
+    /// A closed form.
+    Surface(SurfaceSource),
 }
 
 /// What baked the curvature, with what, and what it found on the way.

@@ -4,30 +4,86 @@ use std::path::PathBuf;
 
 use barchan_asset::Encoding;
 use barchan_bakers::curvature::{CurvatureMethod as Method, CurvatureParams};
+use barchan_field::ParametricSurface;
+use barchan_field::surfaces::{Pattern, Tessellation};
 use serde::{Deserialize, Serialize};
 
 /// Where the mesh comes from.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
-#[serde(from = "MeshFile")]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(try_from = "MeshText")]
 pub enum MeshSource {
     /// A mesh on disk.
     File(MeshFile),
+    /// A closed form.
+    Surface(SurfaceSource),
 }
 
 /// A mesh on disk: OBJ, PLY or glTF, which its bytes tell.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MeshFile {
     /// The file; relative paths start at the recipe's folder.
     pub path: PathBuf,
     /// Which mesh of a glTF file that has several: its name, or its number counted from 0.
-    #[serde(default)]
     pub mesh: Option<String>,
 }
 
-impl From<MeshFile> for MeshSource {
-    fn from(file: MeshFile) -> Self {
-        Self::File(file)
+/// A closed form, cut into triangles.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SurfaceSource {
+    /// The form and its parameters.
+    pub surface: ParametricSurface,
+    /// Where its vertices lie.
+    pub tessellation: Tessellation,
+}
+
+/// `mesh: (path: "rock.obj")` or `mesh: (surface: Sphere(radius: 2.0), vertices: 4000)`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MeshText {
+    #[serde(default)]
+    path: Option<PathBuf>,
+    #[serde(default)]
+    mesh: Option<String>,
+    #[serde(default)]
+    surface: Option<ParametricSurface>,
+    #[serde(default)]
+    vertices: Option<u32>,
+    #[serde(default)]
+    pattern: Option<Pattern>,
+    #[serde(default)]
+    seed: Option<u64>,
+    #[serde(default)]
+    uv_seam: Option<bool>,
+}
+
+impl TryFrom<MeshText> for MeshSource {
+    type Error = String;
+
+    fn try_from(text: MeshText) -> Result<Self, String> {
+        let of_surface = [
+            ("vertices", text.vertices.is_some()),
+            ("pattern", text.pattern.is_some()),
+            ("seed", text.seed.is_some()),
+            ("uv_seam", text.uv_seam.is_some()),
+        ];
+        match (text.path, text.surface) {
+            (None, None) => Err("neither `path` nor `surface` is there; one of them is needed".to_owned()),
+            (Some(_), Some(_)) => Err("`path` and `surface` are both there; one of them is accepted".to_owned()),
+            (Some(path), None) => match of_surface.into_iter().find(|(_, is_there)| *is_there) {
+                Some((field, _)) => Err(format!("`{field}` is for a `surface`; beside `path` only `mesh` is accepted")),
+                None => Ok(Self::File(MeshFile { path, mesh: text.mesh })),
+            },
+            (None, Some(_)) if text.mesh.is_some() => Err("`mesh` is for a `path`, of a glTF file".to_owned()),
+            (None, Some(surface)) => {
+                let tessellation = Tessellation {
+                    vertices: text.vertices.ok_or("the field `vertices` is missing")?,
+                    pattern: text.pattern.unwrap_or(Pattern::Jittered),
+                    seed: text.seed.unwrap_or(0),
+                    uv_seam: text.uv_seam.unwrap_or(false),
+                };
+                Ok(Self::Surface(SurfaceSource { surface, tessellation }))
+            }
+        }
     }
 }
 

@@ -76,10 +76,10 @@ pub struct GridReport {
 /// The mesh that was baked.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MeshReport {
-    /// The file, in words.
+    /// The file or surface, in words.
     pub source: String,
-    /// The file, as a path from the current folder.
-    pub path: PathBuf,
+    /// The file, as a path from the current folder; `null` for a surface.
+    pub path: Option<PathBuf>,
     /// Vertices: the rows of the table.
     pub vertices: u64,
     /// Triangles.

@@ -19,9 +19,6 @@ pub(super) fn describe(report: &Report<'_>) -> String {
     if let Some(mesh) = &bake.mesh {
         line("mesh", mesh_words::source(mesh));
     }
-    if let Some(mended) = bake.curvature.as_ref().and_then(|curvature| mesh_words::mended(&curvature.mended)) {
-        line("mended", mended);
-    }
     for table in &bake.tables {
         line(table.table, format!("{}: {}", table_words(table), table.reason));
         for column in &table.columns {
@@ -35,9 +32,9 @@ pub(super) fn describe(report: &Report<'_>) -> String {
         line("error", console::accuracy(accuracy));
     }
     if let (Some(curvature), Some(mesh)) = (&bake.curvature, &bake.mesh) {
-        for words in mesh_words::findings(curvature, mesh.vertices, mesh.unit) {
-            line("found", words);
-        }
+        line("welded", mesh_words::welded(&curvature.mended, mesh.vertices, mesh.unit));
+        line("found", mesh_words::found(curvature, mesh.unit));
+        line("flagged", mesh_words::flagged(&curvature.flagged, mesh.vertices));
     }
     line("time", time_words(bake));
     line("next", next_words(bake, output));
@@ -125,8 +122,9 @@ fn next_words(bake: &BakeReport, output: &str) -> String {
         commands.push(format!("{program} render {file} --azimuth 135 --elevation 10 -o {picture}"));
     }
     if let Some(mesh) = bake.mesh.as_ref().filter(|_| has(Table::Curvature)) {
-        let (mesh, coloured) = (shell_word(&mesh.path.display().to_string()), beside("curvature.ply"));
-        commands.push(format!("{program} dump {file} curvature --format ply --mesh {mesh} -o {coloured}"));
+        let mesh = mesh.path.as_ref().map(|path| format!(" --mesh {}", shell_word(&path.display().to_string())));
+        let (mesh, coloured) = (mesh.unwrap_or_default(), beside("curvature.ply"));
+        commands.push(format!("{program} dump {file} curvature --format ply{mesh} -o {coloured}"));
     }
     commands.join("\n               ")
 }

@@ -3,10 +3,12 @@
 mod ply;
 mod rows;
 
-use std::path::Path;
-
 use barchan_asset::CurvatureView;
-use barchan_pipeline::{CurvaturePart, MeshFile, MeshInput, Provenance, Table, read_mesh_file};
+use barchan_field::LengthUnit;
+use barchan_pipeline::{
+    CurvaturePart, MeshFile, MeshInput, MeshOrigin, PipelineError, Provenance, SurfaceSource, Table, generate_mesh,
+    read_mesh_file,
+};
 use serde::Serialize;
 
 use self::ply::Colouring;
@@ -14,6 +16,7 @@ use super::npy;
 use crate::args::{DumpArguments, DumpFormat};
 use crate::asset_file::AssetFile;
 use crate::console::{self, number};
+use crate::curvature_rows;
 use crate::failure::{ExitStatus, Failure};
 use crate::output;
 
@@ -32,6 +35,9 @@ struct Report {
 
 pub(super) fn run(file: &AssetFile, arguments: &DumpArguments, json: bool) -> Result<ExitStatus, Failure> {
     check_flags(arguments)?;
+    if let (Some(output), Some(mesh)) = (&arguments.output, &arguments.curvature.mesh) {
+        output::check_writable(output, mesh)?;
+    }
     let table = file.curvature()?;
     let view = table.view();
     let part = arguments.curvature.column.unwrap_or(CurvaturePart::Principal);
@@ -64,9 +70,9 @@ pub(super) fn run(file: &AssetFile, arguments: &DumpArguments, json: bool) -> Re
         output: output.display().to_string(),
         vertices: view.vertices(),
         numbers: match arguments.format {
-            DumpFormat::Csv => rows::present(&view).flat_map(rows::numbers).copied().collect(),
-            DumpFormat::Ply => rows::numbers(CurvaturePart::Principal).to_vec(),
-            _ => rows::numbers(part).to_vec(),
+            DumpFormat::Csv => curvature_rows::present(&view).flat_map(curvature_rows::numbers).copied().collect(),
+            DumpFormat::Ply => curvature_rows::numbers(CurvaturePart::Principal).to_vec(),
+            _ => curvature_rows::numbers(part).to_vec(),
         },
         colouring,
     };
@@ -85,7 +91,6 @@ fn check_flags(arguments: &DumpArguments) -> Result<(), Failure> {
         (curvature.column.is_some() && !has_column, "--column is for npy and text; csv has every column, ply k1 and k2"),
         (curvature.mesh.is_some() && !is_ply, "--mesh is for --format ply"),
         (curvature.by.is_some() && !is_ply, "--by is for --format ply"),
-        (is_ply && curvature.mesh.is_none(), "--mesh is missing: a .barchan file holds no geometry for ply to colour"),
     ];
     match refusals.into_iter().find(|(applies, _)| *applies) {
         Some((_, words)) => Err(Failure::Usage(words.to_owned())),
@@ -94,36 +99,73 @@ fn check_flags(arguments: &DumpArguments) -> Result<(), Failure> {
 }
 
 fn check_present(file: &AssetFile, view: &CurvatureView<'_>, part: CurvaturePart) -> Result<(), Failure> {
-    if rows::present(view).any(|present| present == part) {
+    if curvature_rows::present(view).any(|present| present == part) {
         return Ok(());
     }
-    let present: Vec<_> = rows::present(view).map(CurvaturePart::name).collect();
+    let present: Vec<_> = curvature_rows::present(view).map(CurvaturePart::name).collect();
     Err(file.content(format!("curvature has no {}; it has {}", part.name(), present.join(", "))))
 }
 
-/// The mesh that was named, if it is the one that was baked.
+/// The mesh that was baked: generated again, or read from where the arguments say, and checked to be the same.
 fn mesh(file: &AssetFile, arguments: &DumpArguments, vertices: u32) -> Result<MeshInput, Failure> {
-    let path = arguments.curvature.mesh.as_deref().unwrap_or(Path::new(""));
-    if let Some(output) = &arguments.output {
-        output::check_writable(output, path)?;
-    }
     let provenance = file.provenance().and_then(|json| serde_json::from_value::<Provenance>(json).ok());
-    let baked = provenance.and_then(|provenance| provenance.mesh);
-    let name = baked.as_ref().and_then(|baked| baked.mesh.clone());
-    let mesh = read_mesh_file(&MeshFile { path: path.to_owned(), mesh: name }, None)
-        .map_err(|error| if error.is_io() { Failure::Io(error.to_string()) } else { Failure::BadInput(error.to_string()) })?;
-    let (found, asset) = (mesh.mesh.positions().len(), file.path.display());
-    if found != vertices as usize {
-        let words = format!("the mesh has {found} vertices; {asset} has the curvature of {vertices}");
-        return Err(Failure::content(path, words));
-    }
-    match baked {
-        Some(baked) if baked.blake3 != mesh.provenance.blake3 => {
-            let [given, baked] = [&mesh.provenance.blake3, &baked.blake3].map(|digest| digest.get(..12).unwrap_or(digest));
-            let words = format!("this is not the mesh of {asset}: its BLAKE3 begins with {given}, that of the baked one with {baked}");
-            Err(Failure::content(path, words))
+    let origin = provenance.and_then(|provenance| provenance.mesh).map(|mesh| mesh.source);
+    let mesh = match (origin, &arguments.curvature.mesh) {
+        (Some(MeshOrigin::Surface(source)), None) => return generated(file, &source, vertices),
+        (Some(MeshOrigin::Surface(_)), Some(_)) => {
+            let words = format!("{}: --mesh is not needed: its mesh was generated, and is again", file.path.display());
+            return Err(Failure::Usage(words));
         }
-        _ => Ok(mesh),
+        (_, None) => {
+            let words = "--mesh is missing: a .barchan file holds no geometry for ply to colour";
+            return Err(Failure::Usage(words.to_owned()));
+        }
+        (Some(MeshOrigin::File { blake3, mesh, .. }), Some(path)) => {
+            Expected { file, vertices, blake3: Some(blake3) }.read(&MeshFile { path: path.clone(), mesh })?
+        }
+        // A file without provenance, or of a program that this one does not know.
+        (None, Some(path)) => {
+            Expected { file, vertices, blake3: None }.read(&MeshFile { path: path.clone(), mesh: None })?
+        }
+    };
+    Ok(mesh)
+}
+
+fn generated(file: &AssetFile, source: &SurfaceSource, vertices: u32) -> Result<MeshInput, Failure> {
+    let mesh = generate_mesh(source, LengthUnit::default()).map_err(|error| file.content(error))?;
+    match mesh.mesh.positions().len() {
+        found if found == vertices as usize => Ok(mesh),
+        found => {
+            let words = format!("its surface has {found} vertices here, and curvature for {vertices}: another version made it");
+            Err(file.content(words))
+        }
+    }
+}
+
+/// What the mesh of a file must be.
+struct Expected<'a> {
+    file: &'a AssetFile,
+    vertices: u32,
+    blake3: Option<String>,
+}
+
+impl Expected<'_> {
+    fn read(&self, mesh_file: &MeshFile) -> Result<MeshInput, Failure> {
+        let mesh = read_mesh_file(mesh_file, None).map_err(PipelineError::from)?;
+        let (found, vertices, asset) = (mesh.mesh.positions().len(), self.vertices, self.file.path.display());
+        if found != vertices as usize {
+            let words = format!("the mesh has {found} vertices; {asset} has the curvature of {vertices}");
+            return Err(Failure::content(&mesh_file.path, words));
+        }
+        let MeshOrigin::File { blake3: given, .. } = &mesh.provenance.source else { return Ok(mesh) };
+        match &self.blake3 {
+            Some(baked) if baked != given => {
+                let [given, baked] = [given, baked].map(|digest| digest.get(..12).unwrap_or(digest));
+                let words = format!("not the mesh that {asset} was baked from: its BLAKE3 is {given}…, not {baked}…");
+                Err(Failure::content(&mesh_file.path, words))
+            }
+            _ => Ok(mesh),
+        }
     }
 }
 
@@ -132,7 +174,7 @@ fn describe(report: &Report) -> String {
     let mut text = format!("dumped    curvature to {output}: {vertices} vertices, {}\n", numbers.join(", "));
     if let Some(Colouring { words, limit, unit, .. }) = colouring {
         let limit = number(*limit);
-        text += &format!("colours   {words}: white is 0, full blue -{limit} {unit}, full red {limit} {unit} (95 % are within)\n");
+        text += &format!("colours   {words}: blue to -{limit}, white 0, red to {limit} {unit}, which 95 % are within\n");
     }
     text
 }

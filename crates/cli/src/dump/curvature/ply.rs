@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::args::ColouredBy;
 use crate::console::number;
+use crate::mesh_words::singular;
 
 /// What stands where the curvature is unknown: a grey that no value has.
 const UNKNOWN: [u8; 3] = [128; 3];
@@ -28,7 +29,7 @@ impl Colouring {
     /// Vertices whose curvature is unknown do not count.
     pub(super) fn new(view: &CurvatureView<'_>, by: ColouredBy) -> Self {
         let known = (0..view.vertices()).filter(|&vertex| !view.flags(vertex).is_unknown());
-        let length = view.descriptor().length_unit().symbol().trim_end_matches('s');
+        let length = singular(view.descriptor().length_unit().symbol());
         let (words, power) = match by {
             ColouredBy::Mean => ("mean curvature (k1 + k2) / 2", ""),
             ColouredBy::Gaussian => ("gaussian curvature k1 k2", "²"),
