@@ -1,8 +1,6 @@
 //! `barchan inspect`: what a file holds.
 
-use barchan_asset::{
-    Asset, CurvatureDescriptor, CurvatureView, Section, SectionKind, TextureDescriptor, VertexFlags,
-};
+use barchan_asset::{Asset, CurvatureDescriptor, CurvatureView, Section, SectionKind, TextureDescriptor, VertexFlags};
 use barchan_pipeline::{
     CurvatureProvenance, EncodingProvenance, FlagCount, HorizonProvenance, MeshProvenance, Provenance,
 };
@@ -216,7 +214,8 @@ fn describe(report: &Report) -> String {
         }
     }
     if let Some(provenance) = &report.provenance {
-        let length = report.sections.iter().find_map(|section| section.curvature.as_ref()).map_or("", |found| found.length);
+        let length =
+            report.sections.iter().find_map(|section| section.curvature.as_ref()).map_or("", |found| found.length);
         for words in provenance_words(provenance, length) {
             line("provenance", words);
         }
@@ -302,7 +301,10 @@ fn provenance_words(json: &serde_json::Value, length: &str) -> Vec<String> {
     }
     words.push(format!("recipe {}", json["recipe"]));
     words.extend(provenance.horizon.iter().flat_map(horizon_words));
-    words.extend(provenance.swept.map(|swept| format!("{}, {} points", swept.algorithm, swept.points)));
+    if let Some(swept) = &provenance.swept {
+        words.push(format!("{}, {} points", swept.algorithm, swept.points));
+        words.extend(swept.on_mesh.iter().map(|range| format!("swept {}", mesh_words::swept(range, length))));
+    }
     words.extend(provenance.sky.map(|sky| sky.algorithm));
     if let (Some(curvature), Some(mesh)) = (&provenance.curvature, &provenance.mesh) {
         words.extend(curvature_provenance_words(curvature, mesh, length));

@@ -1,13 +1,14 @@
 //! What there is to say of a mesh and its curvature, in a report of a bake and of a file.
 
-use barchan_pipeline::{CurvatureProvenance, FlagCount, MendedMesh, MeshReport};
+use barchan_pipeline::{CurvatureProvenance, FlagCount, MendedMesh, MeshRange, MeshReport};
 
 use crate::console::number;
 
 /// The file, and where it did not fit a mesh of one row per vertex.
 pub(crate) fn source(mesh: &MeshReport) -> String {
-    let MeshReport { source, vertices, triangles, seam_vertices, polygons, uvs_missing, normals_replaced, ignored, .. } =
-        mesh;
+    let MeshReport {
+        source, vertices, triangles, seam_vertices, polygons, uvs_missing, normals_replaced, ignored, ..
+    } = mesh;
     let remarks = said([
         (*seam_vertices, "of the vertices behind the last `v`, for seams"),
         (*polygons, "polygons cut into triangles"),
@@ -58,6 +59,18 @@ pub(crate) fn found(curvature: &CurvatureProvenance, unit: &str) -> String {
     format!("{range}, {noise}")
 }
 
+/// The range of curvatures that relief was swept over, and how much of the mesh's that is.
+pub(crate) fn swept(range: &MeshRange, unit: &str) -> String {
+    let words = |(least, greatest)| format!("{} to {} per {}", number(least), number(greatest), singular(unit));
+    let MeshRange { mesh, swept } = *range;
+    match mesh == swept {
+        true => format!("over the curvatures of the mesh, {}: all but 0.1 % at either end", words(mesh)),
+        false => {
+            format!("over {}, as much of the mesh's {} as texels and search radius allow", words(swept), words(mesh))
+        }
+    }
+}
+
 /// `unit` for `units`; symbols of other units as they are.
 pub(crate) fn singular(unit: &str) -> &str {
     if unit == "units" { "unit" } else { unit }
@@ -71,5 +84,9 @@ pub(crate) fn flagged(counts: &[FlagCount], vertices: u64) -> String {
         if words.is_empty() { "none".to_owned() } else { words.join(", ") }
     };
     let (unknown, others) = counts.iter().partition(is_unknown);
-    format!("of {vertices} vertices, unknown and stored as 0: {}; otherwise remarkable: {}", list(unknown), list(others))
+    format!(
+        "of {vertices} vertices, unknown and stored as 0: {}; otherwise remarkable: {}",
+        list(unknown),
+        list(others)
+    )
 }

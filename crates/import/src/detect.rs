@@ -103,8 +103,8 @@ const OTHERS: [(&[u8], &str); 19] = [
 
 /// First words of OBJ lines.
 const OBJ_STATEMENTS: [&[u8]; 19] = [
-    b"v", b"vt", b"vn", b"vp", b"f", b"fo", b"l", b"p", b"o", b"g", b"s", b"mg", b"mtllib", b"usemtl", b"usemap", b"maplib",
-    b"cstype", b"deg", b"lod",
+    b"v", b"vt", b"vn", b"vp", b"f", b"fo", b"l", b"p", b"o", b"g", b"s", b"mg", b"mtllib", b"usemtl", b"usemap",
+    b"maplib", b"cstype", b"deg", b"lod",
 ];
 
 /// What the file is, by its content and never by its name. PNG, EXR, TIFF, NPY, PLY and binary glTF begin with a signature; a text that begins

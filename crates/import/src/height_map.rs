@@ -5,8 +5,12 @@ use std::{fs, io, path::Path};
 use barchan_field::{Grid, HeightField};
 
 use crate::{
-    DecodeError, Format, HeightMapOptions, ImportError, detect::{HEIGHT_MAPS, detect_needed}, exr, fill::fill, heights::heights, npy, png,
-    tiff,
+    DecodeError, Format, HeightMapOptions, ImportError,
+    detect::{HEIGHT_MAPS, detect_needed},
+    exr,
+    fill::fill,
+    heights::heights,
+    npy, png, tiff,
 };
 
 /// A height field and what was learnt of its source.

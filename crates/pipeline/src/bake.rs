@@ -7,9 +7,9 @@ use barchan_asset::Codec;
 use barchan_bakers::Exec;
 
 use crate::clock::Clock;
-use crate::curvature::WrittenCurvature;
+use crate::curvature::{FoundCurvature, WrittenCurvature};
 use crate::error::refused;
-use crate::provenance::{EncodingProvenance, Provenance, SkyProvenance, SweptProvenance};
+use crate::provenance::{EncodingProvenance, Provenance, SkyProvenance};
 use crate::relief::{self, ReliefDone};
 use crate::report::Facts;
 use crate::sink::Sink;
@@ -54,15 +54,18 @@ pub fn bake<W: Read + Write + Seek>(plan: &Plan, run: &Run<'_>, out: W) -> Resul
     let mut clock = Clock::new(run.progress);
     let inputs = Inputs::load(plan, run, &mut clock)?;
     let exec = Exec::new(run.threads).map_err(|error| refused("-j", error))?;
-    let mesh = inputs.mesh.as_ref().filter(|_| plan.bakes(Table::Curvature));
+    let mesh = inputs.mesh.as_ref().filter(|_| plan.bakes(Table::Curvature) || plan.sweeps_over_mesh());
+    // Before the relief, which may be swept over the curvatures of the mesh.
     let found = mesh.map(|mesh| curvature::find(plan, mesh, run, &mut clock)).transpose()?;
+    let on_mesh = found.as_ref().filter(|_| plan.sweeps_over_mesh()).and_then(FoundCurvature::range);
 
     let mut sink = Sink::new(out, codec(plan.recipe.compression), clock);
     let relief = match &inputs.relief {
-        Some(loaded) => relief::bake(plan, &loaded.field, &exec, &mut sink)?,
+        Some(loaded) => relief::bake(plan, &loaded.field, on_mesh, &exec, &mut sink)?,
         None => ReliefDone::default(),
     };
-    let curvature = mesh.zip(found.as_ref()).map(|(mesh, found)| found.write(plan, mesh, &mut sink)).transpose()?;
+    let stored = mesh.zip(found.as_ref()).filter(|_| plan.bakes(Table::Curvature));
+    let curvature = stored.map(|(mesh, found)| found.write(plan, mesh, &mut sink)).transpose()?;
 
     let mut tables: Vec<_> = sink.written.iter().map(|written| written.table).collect();
     tables.extend(curvature.as_ref().map(|_| Table::Curvature));
@@ -72,7 +75,7 @@ pub fn bake<W: Read + Write + Seek>(plan: &Plan, run: &Run<'_>, out: W) -> Resul
         input: inputs.relief.as_ref().map(|loaded| loaded.input.clone()),
         mesh: inputs.mesh.as_ref().map(|mesh| mesh.provenance.clone()),
         horizon: relief.horizon,
-        swept: relief.points.map(SweptProvenance::new),
+        swept: relief.swept,
         sky: tables.iter().any(|table| table.is_of_the_sky()).then(SkyProvenance::new),
         curvature: found.map(|found| found.provenance),
         encodings,
@@ -84,8 +87,14 @@ pub fn bake<W: Read + Write + Seek>(plan: &Plan, run: &Run<'_>, out: W) -> Resul
         stream.provenance(&json)?;
         stream.finish()
     })?;
-    let facts =
-        Facts { plan, inputs: &inputs, written: &written, curvature: curvature.as_ref(), provenance, threads: exec.threads() };
+    let facts = Facts {
+        plan,
+        inputs: &inputs,
+        written: &written,
+        curvature: curvature.as_ref(),
+        provenance,
+        threads: exec.threads(),
+    };
     let report = facts.report(&finished, clock.into_stages());
     Ok(Baked { out: finished.out, report })
 }
@@ -99,7 +108,8 @@ pub(crate) struct Inputs {
 impl Inputs {
     fn load(plan: &Plan, run: &Run<'_>, clock: &mut Clock<'_>) -> Result<Self, PipelineError> {
         let recipe = &plan.recipe;
-        let relief = recipe.source.as_ref().map(|source| clock.stage("source", || source::load(recipe, source, run.folder)));
+        let relief =
+            recipe.source.as_ref().map(|source| clock.stage("source", || source::load(recipe, source, run.folder)));
         let mesh = recipe.mesh.as_ref().map(|mesh| clock.stage("mesh", || mesh_input::load(recipe, mesh, run.folder)));
         Ok(Self { relief: relief.transpose()?, mesh: mesh.transpose()? })
     }

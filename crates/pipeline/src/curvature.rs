@@ -3,7 +3,8 @@
 use std::io::{Read, Seek, Write};
 
 use barchan_asset::{
-    ColumnLayout, CurvatureColumn, CurvatureTable, EncodedCurvature, EncodingLoss, LengthUnit, SurfaceForms, VertexFlags,
+    ColumnLayout, CurvatureColumn, CurvatureTable, EncodedCurvature, EncodingLoss, LengthUnit, SurfaceForms,
+    VertexFlags,
 };
 use barchan_bakers::Exec;
 use barchan_bakers::curvature::{self, MeshCurvature, VertexForms};
@@ -14,7 +15,7 @@ use crate::layout::length_unit;
 use crate::mesh_provenance::CurvatureProvenance;
 use crate::provenance::EncodingProvenance;
 use crate::sink::Sink;
-use crate::{CurvatureEncoding, CurvatureRecipe, MeshInput, PipelineError, Plan, Run, Table};
+use crate::{CurvatureEncoding, CurvatureRecipe, MeshInput, PipelineError, Plan, Run, Table, swept_range};
 
 /// Columns that are of use only together, which are baked or left out as one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -165,6 +166,11 @@ fn all_flags(found: &MeshCurvature, forms: Option<&[VertexForms]>) -> Vec<Vertex
 }
 
 impl FoundCurvature {
+    /// The range of curvatures for relief that lies on the mesh.
+    pub(crate) fn range(&self) -> Option<(f64, f64)> {
+        swept_range::of_mesh(&self.found)
+    }
+
     /// Encodes and writes the table.
     pub(crate) fn write<W: Read + Write + Seek>(
         &self,

@@ -25,13 +25,14 @@ mod report;
 mod sink;
 mod source;
 mod spacing;
+mod swept_range;
 mod syntax;
 mod table;
 
 pub use accuracy::HorizonAccuracy;
 pub use bake::{Baked, Progress, Run, bake};
-pub use error::PipelineError;
 pub use curvature::CurvaturePart;
+pub use error::PipelineError;
 pub use mesh_input::{MeshInput, generate_mesh, read_mesh_file};
 pub use mesh_provenance::{CurvatureProvenance, FlagCount, MendedMesh, MeshOrigin, MeshProvenance};
 pub use mesh_recipe::{CurvatureEncoding, CurvatureMethod, CurvatureRecipe, MeshFile, MeshSource, SurfaceSource};
@@ -45,4 +46,5 @@ pub use recipe::{
     RecipeError, Scene, ShapeSource, SkyRecipe, Source, TableEncoding,
 };
 pub use report::{BAKE_SCHEMA, BakeReport, ColumnReport, GridReport, LeftOut, MeshReport, StageTime, TableReport};
+pub use swept_range::MeshRange;
 pub use table::Table;

@@ -47,7 +47,7 @@ impl Plan {
                 Some(chosen) if chosen.contains(&table) => (Decision::Bake, "named by --only"),
                 _ if !has_input(&recipe, table) => (Decision::NoInput, missing_input(table)),
                 Some(_) => (Decision::LeaveOut, "not named by --only"),
-                None => decide(table, recipe.scene, &recipe.horizon),
+                None => decide(table, &recipe),
             };
             PlannedTable { table, decision, reason }
         };
@@ -84,15 +84,23 @@ impl Plan {
         self.recipe.scene.and_then(|scene| scene.curvature)
     }
 
-    /// What to bake over the range of curvatures, if a swept table is wanted.
+    /// Whether the range of curvatures is that of the mesh: somebody has to name it, and the scene does not.
+    #[must_use]
+    pub fn sweeps_over_mesh(&self) -> bool {
+        self.recipe.mesh.is_some() && self.curvature().is_none() && self.swept_table().is_some()
+    }
+
+    fn swept_table(&self) -> Option<Table> {
+        Table::ALL.into_iter().find(|&table| table.is_swept() && self.bakes(table))
+    }
+
+    /// What to bake over a range of curvatures, if a swept table is wanted.
     ///
     /// # Errors
     /// A swept table without a range.
-    pub(crate) fn swept_params(&self) -> Result<Option<SweptParams>, PipelineError> {
-        let Some(table) = Table::ALL.into_iter().find(|&table| table.is_swept() && self.bakes(table)) else {
-            return Ok(None);
-        };
-        let range = self.curvature().ok_or(PipelineError::NoCurvature { table: table.name() })?;
+    pub(crate) fn swept_params(&self, range: Option<(f64, f64)>) -> Result<Option<SweptParams>, PipelineError> {
+        let Some(table) = self.swept_table() else { return Ok(None) };
+        let range = range.ok_or(PipelineError::NoCurvature { table: table.name() })?;
         Ok(Some(self.recipe.curved.params(range)))
     }
 
@@ -127,14 +135,16 @@ fn missing_input(table: Table) -> &'static str {
     if table.is_of_a_mesh() { "there is no mesh" } else { "there is no height map" }
 }
 
-fn decide(table: Table, scene: Option<Scene>, horizon: &HorizonRecipe) -> Reasoned {
+fn decide(table: Table, recipe: &Recipe) -> Reasoned {
+    let Recipe { scene, horizon, mesh, .. } = recipe;
     match table {
         Table::Height => (Decision::Bake, "the surface itself"),
         Table::Horizon => (Decision::Bake, "shadows"),
-        Table::Distance => decide_distance(scene),
-        Table::SweptHorizon | Table::SweptDistance => decide_swept(scene),
+        Table::Distance if mesh.is_some() => (Decision::Bake, "corrects the horizon on the curved mesh"),
+        Table::Distance => decide_distance(*scene),
+        Table::SweptHorizon | Table::SweptDistance => decide_swept(*scene, mesh.is_some()),
         Table::SkyVisibility | Table::BentNormal | Table::ApertureCone => match scene {
-            Some(scene) => decide_sky(table, scene),
+            Some(scene) => decide_sky(table, *scene),
             None => decide_sky_of_a_bare_map(table, horizon),
         },
         Table::Curvature => (Decision::Bake, "what the mesh is there for"),
@@ -151,11 +161,12 @@ fn decide_distance(scene: Option<Scene>) -> Reasoned {
     }
 }
 
-fn decide_swept(scene: Option<Scene>) -> Reasoned {
+fn decide_swept(scene: Option<Scene>, has_mesh: bool) -> Reasoned {
     use Decision::{Bake, LeaveOut};
     match scene {
-        None => (LeaveOut, "no recipe says between which curvatures"),
         Some(Scene { curvature: Some(_), .. }) => (Bake, "keeps the horizon right over the range of curvatures"),
+        _ if has_mesh => (Bake, "keeps the horizon right over the curvatures of the mesh"),
+        None => (LeaveOut, "no recipe says between which curvatures"),
         Some(scene) if scene.is_curved() => (LeaveOut, "the scene does not say between which curvatures"),
         Some(_) => (LeaveOut, "the scene has no curved surfaces"),
     }

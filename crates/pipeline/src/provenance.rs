@@ -8,9 +8,12 @@ use barchan_import::{Fill, Integers};
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::HorizonAccuracy;
-use crate::sink::WrittenTable;
 use crate::mesh_provenance::{CurvatureProvenance, MeshProvenance};
-use crate::{CurvatureRecipe, CurvedRecipe, HorizonMethod, HorizonRecipe, Recipe, Scene, ShapeSource, Table, TableEncoding};
+use crate::sink::WrittenTable;
+use crate::{
+    CurvatureRecipe, CurvedRecipe, HorizonMethod, HorizonRecipe, MeshRange, Recipe, Scene, ShapeSource, Table,
+    TableEncoding,
+};
 
 /// Names the layout of [`Provenance`] as JSON.
 pub const PROVENANCE_SCHEMA: &str = "barchan.provenance/1";
@@ -181,11 +184,14 @@ pub struct SweptProvenance {
     pub algorithm: String,
     /// Points per texel and azimuth, that of the flat horizon among them.
     pub points: u32,
+    /// The range of curvatures, where it was taken from the mesh.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub on_mesh: Option<MeshRange>,
 }
 
 impl SweptProvenance {
-    pub(crate) fn new(points: u32) -> Self {
-        Self { algorithm: swept::ALGORITHM.to_owned(), points }
+    pub(crate) fn new(points: u32, on_mesh: Option<MeshRange>) -> Self {
+        Self { algorithm: swept::ALGORITHM.to_owned(), points, on_mesh }
     }
 }
 

@@ -9,8 +9,9 @@ use barchan_field::HeightField;
 
 use crate::directions::{self, Task};
 use crate::layout::table_grid;
-use crate::provenance::HorizonProvenance;
+use crate::provenance::{HorizonProvenance, SweptProvenance};
 use crate::sink::Sink;
+use crate::swept_range::MeshRange;
 use crate::{PipelineError, Plan, Table};
 
 /// What is known once the tables of relief are in the file.
@@ -18,14 +19,15 @@ use crate::{PipelineError, Plan, Table};
 pub(crate) struct ReliefDone {
     /// `None` where no horizon was looked for.
     pub(crate) horizon: Option<HorizonProvenance>,
-    /// Points per texel and direction; `None` where nothing was swept.
-    pub(crate) points: Option<u32>,
+    /// `None` where nothing was swept.
+    pub(crate) swept: Option<SweptProvenance>,
 }
 
-/// Bakes and writes every table that comes from heights.
+/// Bakes and writes every table that comes from heights. `on_mesh` is the range of curvatures of a mesh that they lie on.
 pub(crate) fn bake<W: Read + Write + Seek>(
     plan: &Plan,
     field: &HeightField,
+    on_mesh: Option<(f64, f64)>,
     exec: &Exec<'_>,
     sink: &mut Sink<'_, W>,
 ) -> Result<ReliefDone, PipelineError> {
@@ -37,9 +39,11 @@ pub(crate) fn bake<W: Read + Write + Seek>(
         return Ok(ReliefDone::default());
     }
     let params = horizon_params(plan, field);
-    let done = directions::bake(Task { plan, field, params: &params, exec }, sink)?;
+    let on_mesh = on_mesh.map(|range| MeshRange::new(range, field.grid(), params.radius));
+    let curvature = plan.curvature().or(on_mesh.as_ref().map(|range| range.swept));
+    let done = directions::bake(Task { plan, field, params: &params, curvature, exec }, sink)?;
     let horizon = HorizonProvenance::new(&plan.recipe.horizon, &params, done.accuracy);
-    Ok(ReliefDone { horizon: Some(horizon), points: done.points })
+    Ok(ReliefDone { horizon: Some(horizon), swept: done.points.map(|points| SweptProvenance::new(points, on_mesh)) })
 }
 
 fn horizon_params(plan: &Plan, field: &HeightField) -> HorizonParams {

@@ -182,10 +182,14 @@ impl Facts<'_> {
     pub(crate) fn report<W>(self, finished: &Finished<W>, stages: Vec<StageTime>) -> BakeReport {
         let Inputs { relief, mesh } = self.inputs;
         let seconds_of = |name: &str| stages.iter().find(|stage| stage.stage == name).map(|stage| stage.seconds);
-        let per_second = |amount: Option<f64>, stage| amount.zip(seconds_of(stage)).map(|(work, time)| work / 1e6 / time);
-        let swept = self.provenance.horizon.as_ref().zip(relief.as_ref()).map(|(horizon, loaded)| {
-            loaded.field.grid().texels() as f64 * f64::from(horizon.directions)
-        });
+        let per_second =
+            |amount: Option<f64>, stage| amount.zip(seconds_of(stage)).map(|(work, time)| work / 1e6 / time);
+        let swept = self
+            .provenance
+            .horizon
+            .as_ref()
+            .zip(relief.as_ref())
+            .map(|(horizon, loaded)| loaded.field.grid().texels() as f64 * f64::from(horizon.directions));
         let vertices = mesh.as_ref().map(|mesh| mesh.report.vertices as f64);
         BakeReport {
             schema: BAKE_SCHEMA,

@@ -4,8 +4,8 @@ use std::io::{Read, Seek, Write};
 use std::ops::RangeInclusive;
 
 use barchan_asset::{
-    AssetStream, Azimuths, Codec, EncodeError, EncodedCurvature, Encoding, EncodingLoss, TableEncoder, TableFacts, TableView, TextureDescriptor,
-    TextureTable,
+    AssetStream, Azimuths, Codec, EncodeError, EncodedCurvature, Encoding, EncodingLoss, TableEncoder, TableFacts,
+    TableView, TextureDescriptor, TextureTable,
 };
 
 use crate::clock::Clock;

@@ -24,7 +24,7 @@ const RADIUS: f64 = 12.0;
 fn recipe() -> Recipe {
     let mut recipe = Recipe::bare(Source::Shape(ShapeSource { shape: SHAPE, width: 24, height: 20 }));
     recipe.spacing = Spacing::new(0.5, 0.75).unwrap();
-    (recipe.edge, recipe.unit) = (Edge::Wrap, LengthUnit::Metre);
+    (recipe.edge, recipe.unit) = (Edge::Wrap, Some(LengthUnit::Metre));
     (recipe.horizon.directions, recipe.horizon.radius) = (DIRECTIONS, Some(RADIUS));
     recipe
 }
@@ -96,9 +96,10 @@ fn what_is_baked_is_valid_and_said_in_the_report() {
         assert_eq!((table.stored_bytes, table.raw_bytes), (section.stored_length(), section.raw_length()));
         assert_eq!(table.worst_case_error, section.texture().unwrap().worst_case_error);
     }
-    assert_eq!((report.grid.width, report.grid.height, report.grid.edge), (24, 20, "wrap"));
-    assert_eq!((report.grid.lowest, report.grid.highest), field().range());
-    assert_eq!(report.source, "generated fractal_terrain");
+    let grid = report.grid.unwrap();
+    assert_eq!((grid.width, grid.height, grid.edge), (24, 20, "wrap"));
+    assert_eq!((grid.lowest, grid.highest), field().range());
+    assert_eq!(report.source.as_deref(), Some("generated fractal_terrain"));
 }
 
 #[test]
@@ -111,7 +112,8 @@ fn provenance_reads_back_as_it_was_written() {
     let asset = Asset::open(&bytes).unwrap();
     let provenance = provenance(&asset);
     assert_eq!(provenance.schema, PROVENANCE_SCHEMA);
-    assert_eq!(provenance.input, InputProvenance::Shape(ShapeSource { shape: SHAPE, width: 24, height: 20 }));
+    let shape = ShapeSource { shape: SHAPE, width: 24, height: 20 };
+    assert_eq!(provenance.input, Some(InputProvenance::Shape(shape)));
     assert_eq!(provenance.recipe.spacing, (0.5, 0.75));
     assert_eq!((provenance.recipe.unit, provenance.recipe.edge), (LengthUnit::Metre, Edge::Wrap));
     assert_eq!(provenance.horizon, report.horizon);
@@ -215,7 +217,7 @@ fn what_is_left_out_is_weighed() {
 fn packing_keeps_every_table() {
     let mut raw = recipe();
     // Large enough that a packed table takes fewer pages.
-    raw.source = Source::Shape(ShapeSource { shape: SHAPE, width: 96, height: 80 });
+    raw.source = Some(Source::Shape(ShapeSource { shape: SHAPE, width: 96, height: 80 }));
     let packed = Recipe { compression: Compression::Zstd, ..raw.clone() };
     let (raw, packed) = (baked(raw, None).bytes, baked(packed, None).bytes);
     assert!(packed.len() < raw.len());
@@ -459,7 +461,7 @@ fn level_ground_is_stored_exactly_in_any_encoding() {
     for encoding in [TableEncoding::F32, TableEncoding::F16, TableEncoding::U8, TableEncoding::Compact] {
         let mut recipe = curved_recipe();
         let level = Shape::Plane(barchan_field::shapes::Plane { slope_u: 0.0, slope_v: 0.0 });
-        recipe.source = Source::Shape(ShapeSource { shape: level, width: 12, height: 9 });
+        recipe.source = Some(Source::Shape(ShapeSource { shape: level, width: 12, height: 9 }));
         (recipe.horizon.encoding, recipe.curved.encoding, recipe.sky.encoding) = (encoding, encoding, encoding);
         let Baked { bytes, report } = baked(recipe, Some(&Table::ALL));
         assert_eq!(validate(&bytes, &Limits::default()), []);

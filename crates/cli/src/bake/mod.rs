@@ -78,4 +78,3 @@ fn output_path(arguments: &BakeArguments) -> Result<PathBuf, Failure> {
     name.push(".barchan");
     Ok(PathBuf::from(name))
 }
-

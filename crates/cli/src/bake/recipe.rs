@@ -5,7 +5,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use barchan_import::{Format, detect};
-use barchan_pipeline::{CurvatureEncoding, HeightMapSource, MeshFile, MeshSource, Recipe, RecipeError, Source, TableEncoding};
+use barchan_pipeline::{
+    CurvatureEncoding, HeightMapSource, MeshFile, MeshSource, Recipe, RecipeError, Source, TableEncoding,
+};
 
 use crate::args::{BakeArguments, BareArguments, HeightMapArguments, MeshArguments, MethodName};
 use crate::failure::Failure;

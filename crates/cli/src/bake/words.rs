@@ -35,6 +35,9 @@ pub(super) fn describe(report: &Report<'_>) -> String {
         line("welded", mesh_words::welded(&curvature.mended, mesh.vertices, mesh.unit));
         line("found", mesh_words::found(curvature, mesh.unit));
         line("flagged", mesh_words::flagged(&curvature.flagged, mesh.vertices));
+        if let Some(range) = bake.swept.as_ref().and_then(|swept| swept.on_mesh.as_ref()) {
+            line("swept", mesh_words::swept(range, mesh.unit));
+        }
     }
     line("time", time_words(bake));
     line("next", next_words(bake, output));

@@ -44,9 +44,8 @@ fn compare_part(a: &CurvatureView<'_>, b: &CurvatureView<'_>, part: CurvaturePar
         CurvaturePart::Principal | CurvaturePart::Forms | CurvaturePart::Flags => {}
     }
     let names = numbers(part);
-    let position = |index: usize| {
-        Position::Vertex { vertex: (index / names.len()) as u32, number: names[index % names.len()] }
-    };
+    let position =
+        |index: usize| Position::Vertex { vertex: (index / names.len()) as u32, number: names[index % names.len()] };
     // The numbers of the other parts have no unit, or several.
     let unit = if part == CurvaturePart::Principal { per_length(a.descriptor().length_unit()) } else { "" };
     let report = compare_values([&values_a, &values_b], tolerance, unit, position);

@@ -207,7 +207,9 @@ fn values_words(values: &ValueReport) -> String {
         place.as_ref().map_or_else(String::new, |at| {
             let Place { at, a, b } = at;
             let at = match at {
-                Position::Texel { layer, column, row, channel: 0 } => format!("layer {layer}, column {column}, row {row}"),
+                Position::Texel { layer, column, row, channel: 0 } => {
+                    format!("layer {layer}, column {column}, row {row}")
+                }
                 Position::Texel { layer, column, row, channel } => {
                     format!("layer {layer}, column {column}, row {row}, channel {channel}")
                 }

@@ -166,7 +166,9 @@ fn encode(format: DumpFormat, selection: &Selection<'_>) -> Result<Vec<u8>, Fail
         DumpFormat::Npy => npy::encode(selection),
         DumpFormat::Png => picture::encode(selection),
         DumpFormat::Exr => exr::encode(selection),
-        DumpFormat::Ply => Err(Failure::Usage("--format ply is for curvature; text, csv, npy, png and exr show textures".to_owned())),
+        DumpFormat::Ply => {
+            Err(Failure::Usage("--format ply is for curvature; text, csv, npy, png and exr show textures".to_owned()))
+        }
     }
 }
 

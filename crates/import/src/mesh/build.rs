@@ -28,8 +28,18 @@ pub(crate) struct RawMesh {
 
 impl RawMesh {
     pub(crate) fn build(self, options: &MeshOptions) -> Result<ImportedMesh, DecodeError> {
-        let Self { format, name, positions, triangles, mut uvs, mut normals, polygons, seam_vertices, ignored, buffers } =
-            self;
+        let Self {
+            format,
+            name,
+            positions,
+            triangles,
+            mut uvs,
+            mut normals,
+            polygons,
+            seam_vertices,
+            ignored,
+            buffers,
+        } = self;
         let vertices = positions.len() as u64;
         options.check_vertices(format, vertices)?;
         options.check_triangles(format, triangles.len() as u64)?;

@@ -66,7 +66,9 @@ pub enum MeshError {
         max: u64,
     },
     /// A header promises more than the file has bytes for.
-    #[error("the {format} file promises {count} of {what}; the {bytes} bytes left for them can hold {possible} at most")]
+    #[error(
+        "the {format} file promises {count} of {what}; the {bytes} bytes left for them can hold {possible} at most"
+    )]
     Implausible {
         /// The format.
         format: Format,
@@ -106,7 +108,9 @@ pub enum MeshError {
         present: String,
     },
     /// A file that the mesh needs beside it cannot be had.
-    #[error("the {format} file keeps its numbers in `{name}`, which cannot be read ({reason}); a file beside it, in its folder or below, is needed")]
+    #[error(
+        "the {format} file keeps its numbers in `{name}`, which cannot be read ({reason}); a file beside it, in its folder or below, is needed"
+    )]
     External {
         /// The format.
         format: Format,

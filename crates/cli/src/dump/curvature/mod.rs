@@ -54,10 +54,8 @@ pub(super) fn run(file: &AssetFile, arguments: &DumpArguments, json: bool) -> Re
             colouring = Some(chosen);
             bytes
         }
-        DumpFormat::Png | DumpFormat::Exr => {
-            let accepted = "npy, csv, text and ply show the curvature of vertices";
-            return Err(Failure::Usage(format!("--format is for textures; {accepted}")));
-        }
+        DumpFormat::Png => return Err(no_picture("png")),
+        DumpFormat::Exr => return Err(no_picture("exr")),
     };
     let Some(output) = &arguments.output else {
         return super::to_stdout(arguments.format, json, &bytes);
@@ -80,6 +78,10 @@ pub(super) fn run(file: &AssetFile, arguments: &DumpArguments, json: bool) -> Re
     Ok(ExitStatus::Success)
 }
 
+fn no_picture(format: &str) -> Failure {
+    Failure::Usage(format!("--format is {format}; npy, csv, text and ply show the curvature of vertices"))
+}
+
 /// Refuses flags that say nothing about what is dumped.
 fn check_flags(arguments: &DumpArguments) -> Result<(), Failure> {
     let DumpArguments { format, texture, curvature, .. } = arguments;
@@ -88,7 +90,10 @@ fn check_flags(arguments: &DumpArguments) -> Result<(), Failure> {
     let refusals = [
         (texture.layer.is_some(), "--layer is for textures; curvature has vertices"),
         (texture.mip.is_some(), "--mip is for textures; curvature has vertices"),
-        (curvature.column.is_some() && !has_column, "--column is for npy and text; csv has every column, ply k1 and k2"),
+        (
+            curvature.column.is_some() && !has_column,
+            "--column is for npy and text; csv has every column, ply k1 and k2",
+        ),
         (curvature.mesh.is_some() && !is_ply, "--mesh is for --format ply"),
         (curvature.by.is_some() && !is_ply, "--by is for --format ply"),
     ];
@@ -136,7 +141,8 @@ fn generated(file: &AssetFile, source: &SurfaceSource, vertices: u32) -> Result<
     match mesh.mesh.positions().len() {
         found if found == vertices as usize => Ok(mesh),
         found => {
-            let words = format!("its surface has {found} vertices here, and curvature for {vertices}: another version made it");
+            let words =
+                format!("its surface has {found} vertices here, and curvature for {vertices}: another version made it");
             Err(file.content(words))
         }
     }
@@ -174,7 +180,8 @@ fn describe(report: &Report) -> String {
     let mut text = format!("dumped    curvature to {output}: {vertices} vertices, {}\n", numbers.join(", "));
     if let Some(Colouring { words, limit, unit, .. }) = colouring {
         let limit = number(*limit);
-        text += &format!("colours   {words}: blue to -{limit}, white 0, red to {limit} {unit}, which 95 % are within\n");
+        text +=
+            &format!("colours   {words}: blue to -{limit}, white 0, red to {limit} {unit}, which 95 % are within\n");
     }
     text
 }

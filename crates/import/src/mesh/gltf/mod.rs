@@ -1,7 +1,11 @@
 //! glTF 2.0.
-use std::io;
 use super::{MeshOptions, build::RawMesh};
 use crate::DecodeError;
-pub(crate) fn decode(_: &[u8], _: &MeshOptions, _: &mut dyn FnMut(&str) -> io::Result<Vec<u8>>) -> Result<RawMesh, DecodeError> {
+use std::io;
+pub(crate) fn decode(
+    _: &[u8],
+    _: &MeshOptions,
+    _: &mut dyn FnMut(&str) -> io::Result<Vec<u8>>,
+) -> Result<RawMesh, DecodeError> {
     Err(DecodeError::Unsupported { format: crate::Format::Gltf, found: "nothing yet".into(), accepted: "OBJ" })
 }

@@ -95,7 +95,9 @@ impl Header {
                     if !count.is_integer() {
                         return Err(lines.damaged("a list counts its items in whole numbers"));
                     }
-                    lines.last(&mut elements)?.push(Property { name: name.to_owned(), kind: Kind::List { count, item } });
+                    lines
+                        .last(&mut elements)?
+                        .push(Property { name: name.to_owned(), kind: Kind::List { count, item } });
                 }
                 ["property", scalar, name] => {
                     let kind = Kind::Scalar(lines.type_named(scalar)?);

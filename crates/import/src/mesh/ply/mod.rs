@@ -21,8 +21,8 @@ use super::{
     build::{NO_NORMAL, RawMesh},
     polygon::Polygons,
 };
-use barchan_field::FieldError;
 use crate::{DecodeError, Format, limits::reserved};
+use barchan_field::FieldError;
 
 const FORMAT: Format = Format::Ply;
 
@@ -146,7 +146,11 @@ impl Faces {
                     return Ok(());
                 }
                 let corner = self.corner(face, value)?;
-                if let [.., a, b] = strip[..] && a != b && b != corner && corner != a {
+                if let [.., a, b] = strip[..]
+                    && a != b
+                    && b != corner
+                    && corner != a
+                {
                     let triangle = if strip.len().is_multiple_of(2) { [a, b, corner] } else { [b, a, corner] };
                     self.polygons.corners.extend(triangle);
                     self.polygons.sizes.push(3);
