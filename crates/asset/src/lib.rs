@@ -18,6 +18,9 @@
 //! # }
 //! ```
 //!
+//! [`Section::texture`] and the views of its tables read texels; [`Section::curvature`] and [`CurvatureView`] the columns of
+//! a mesh.
+//!
 //! Opening does not look at a payload. A stranger's file wants [`Section::is_intact`] or, with the feature `write`,
 //! `validate` before its values are trusted; no call panics on a bad file either way.
 //!

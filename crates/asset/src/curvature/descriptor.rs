@@ -9,8 +9,11 @@ use crate::{CurvatureColumn, CurvatureError, LengthUnit, VertexFormat};
 
 /// The only section version of curvature tables.
 pub const CURVATURE_VERSION: u16 = 1;
-/// The largest size of a number in a table.
-pub(crate) const GREATEST_NUMBER: f32 = 1e30;
+/// 2¹⁰⁰, the largest size of a number in a table; rounding to a half does not pass it.
+pub(crate) const GREATEST_NUMBER: f32 = f32::from_bits((127 + 100) << 23);
+/// What the squared length of a direction, or the product of two, may be off by besides what its encoding costs.
+#[cfg(feature = "write")]
+pub(crate) const UNIT_SLACK: f64 = 1e-6;
 /// 2⁻¹⁰².
 pub(crate) const LEAST_SCALE: f32 = f32::from_bits((127 - 102) << 23);
 /// 2⁹⁶.
@@ -213,11 +216,11 @@ impl ColumnLayout {
             real("scale", scale, scale == 1.0, "1 for what is not a half")?;
         }
         let numbers = -GREATEST_NUMBER..=GREATEST_NUMBER;
-        real("range_min", range_min, numbers.contains(&range_min), "−1e30 to 1e30")?;
+        real("range_min", range_min, numbers.contains(&range_min), "−2¹⁰⁰ to 2¹⁰⁰")?;
         let holds = numbers.contains(&range_max) && range_min <= range_max;
-        real("range_max", range_max, holds, "range_min to 1e30")?;
+        real("range_max", range_max, holds, "range_min to 2¹⁰⁰")?;
         let holds = (0.0..=GREATEST_NUMBER).contains(&worst_case_error);
-        real("worst_case_error", worst_case_error, holds, "0 to 1e30")?;
+        real("worst_case_error", worst_case_error, holds, "0 to 2¹⁰⁰")?;
         if column == CurvatureColumn::Flags {
             for (field, found) in
                 [("range_min", range_min), ("range_max", range_max), ("worst_case_error", worst_case_error)]

@@ -12,7 +12,8 @@ mod view;
 
 pub use column::{CurvatureColumn, VertexFormat};
 pub use descriptor::{CURVATURE_VERSION, ColumnLayout, CurvatureDescriptor};
-pub(crate) use descriptor::{GREATEST_NUMBER, LEAST_SCALE};
+#[cfg(feature = "write")]
+pub(crate) use descriptor::{GREATEST_NUMBER, LEAST_SCALE, UNIT_SLACK};
 pub use error::CurvatureError;
 pub use flags::VertexFlags;
 pub use forms::SurfaceForms;

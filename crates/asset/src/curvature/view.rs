@@ -1,6 +1,6 @@
 //! A curvature table as numbers.
 
-use crate::bytes::{array_at, u16_at, u32_at};
+use crate::bytes::{CHUNK_ALIGN, array_at, u16_at, u32_at};
 use crate::half::f16_to_f32;
 use crate::{ColumnLayout, CurvatureColumn, CurvatureDescriptor, CurvatureError, SurfaceForms, VertexFlags};
 
@@ -63,7 +63,7 @@ impl<'a> CurvatureView<'a> {
         let end = self.descriptor.offset(layout.column).unwrap_or(0) as usize + bytes.len();
         // The payload's length was checked: whatever follows a column's end is padding and another column.
         let rest = self.payload.get(end..).unwrap_or(&[]);
-        &rest[..rest.len().min(end.next_multiple_of(256) - end)]
+        &rest[..rest.len().min(end.next_multiple_of(CHUNK_ALIGN as usize) - end)]
     }
 
     /// κ1 ≥ κ2 of a vertex in 1 / length unit, positive where the surface is convex seen from the front.

@@ -3,8 +3,8 @@
 use std::format;
 use std::string::String;
 
-use super::values::UNIT_LENGTH_SLACK;
 use crate::bytes::first_nonzero;
+use crate::curvature::UNIT_SLACK;
 use crate::{ColumnLayout, CurvatureColumn, CurvatureView, VertexFlags};
 
 /// A finding's number and sentence.
@@ -76,6 +76,10 @@ fn check_vertex(table: &CurvatureView<'_>, layout: &ColumnLayout, vertex: u32) -
         if first < second {
             return Err(("B0507", format!("vertex {vertex} has κ1 = {first} below κ2 = {second}")));
         }
+        if table.flags(vertex).is_unknown() && [first, second] != [0.0; 2] {
+            let message = format!("vertex {vertex} has no curvature to be known, but κ1 = {first}, κ2 = {second}");
+            return Err(("B0511", message));
+        }
     }
     if layout.column == CurvatureColumn::FirstForm
         && let Some(forms) = table.forms(vertex).filter(|forms| !forms.is_positive())
@@ -97,13 +101,13 @@ fn check_directions(table: &CurvatureView<'_>, vertex: u32) -> Result<(), Compla
     for (direction, error) in directions.into_iter().zip(errors) {
         let squared = dot(direction, direction);
         // (x ± ε)² summed is farther off by at most this.
-        let slack = UNIT_LENGTH_SLACK + error * (2.0 * size(direction) + 3.0 * error);
+        let slack = UNIT_SLACK + error * (2.0 * size(direction) + 3.0 * error);
         if (squared - 1.0).abs() > slack {
             return Err(("B0506", format!("vertex {vertex} has a principal direction of squared length {squared}")));
         }
     }
     let [first, second] = directions;
-    let slack = UNIT_LENGTH_SLACK + errors[0] * size(second) + errors[1] * size(first) + 3.0 * errors[0] * errors[1];
+    let slack = UNIT_SLACK + errors[0] * size(second) + errors[1] * size(first) + 3.0 * errors[0] * errors[1];
     let product = dot(first, second);
     if product.abs() > slack {
         let message = format!("the principal directions of vertex {vertex} have a product of {product}; 0 is accepted");

@@ -69,7 +69,7 @@ const fn warning(id: &'static str, summary: &'static str) -> FindingKind {
 }
 
 /// Every finding there is, by number.
-pub const FINDINGS: [FindingKind; 62] = [
+pub const FINDINGS: [FindingKind; 63] = [
     error("B0101", "fewer bytes than a header"),
     error("B0102", "not the magic"),
     error("B0103", "unsupported major version"),
@@ -128,6 +128,7 @@ pub const FINDINGS: [FindingKind; 62] = [
     error("B0508", "principal directions that are not at right angles"),
     error("B0509", "first fundamental form that is not positive"),
     error("B0510", "unknown remark on a vertex"),
+    error("B0511", "curvature of a vertex where none can be known"),
     error("B0601", "provenance not UTF-8"),
     error("B0602", "provenance with a descriptor"),
     error("B0701", "swept table that does not lie as its companion does"),

@@ -7,7 +7,7 @@ use crate::bytes::first_nonzero;
 use crate::{Semantic, TableView, Transfer};
 
 /// What a direction's squared length may be off by, besides what its encoding costs.
-pub(super) const UNIT_LENGTH_SLACK: f64 = 1e-6;
+const UNIT_LENGTH_SLACK: f64 = 1e-6;
 
 /// Reports padding that is not zero, the first value that is not what the format allows, and a range that the values do
 /// not reach. A stated range is legal for its semantic, or the descriptor would have been refused.

@@ -4,28 +4,24 @@
 //! is monotone, so κ1 ≥ κ2 survives it; a first form that it would leave not positive is rounded outwards instead.
 
 use std::format;
-use std::string::String;
 use std::vec::Vec;
 
 use super::codes::{nearest_half, value_of_half};
 use super::encode::{EncodeError, Encoding};
 use super::loss::{EncodingLoss, LayerMeasure};
 use crate::bytes::CHUNK_ALIGN;
-use crate::curvature::{GREATEST_NUMBER, LEAST_SCALE};
+use crate::curvature::{GREATEST_NUMBER, LEAST_SCALE, UNIT_SLACK};
 use crate::{
     ColumnLayout, CurvatureColumn, CurvatureDescriptor, CurvatureError, CurvatureView, LengthUnit, SurfaceForms,
     VertexFlags,
 };
-
-/// What the squared length of a direction, or the product of two, may be off by.
-const UNIT_SLACK: f64 = 1e-6;
 
 /// The curvature of a mesh to be written; row i of every column is vertex i.
 #[derive(Debug, Clone, Copy)]
 pub struct CurvatureTable<'a> {
     /// The unit of lengths.
     pub length_unit: LengthUnit,
-    /// κ1 ≥ κ2 in 1 / length unit, positive where convex seen from the front, within ±1e30; of 1 to 4294967295 vertices.
+    /// κ1 ≥ κ2 in 1 / length unit, positive where convex seen from the front, within ±2¹⁰⁰; of 1 to 4294967295 vertices.
     pub principal: &'a [[f32; 2]],
     /// Unit tangents t1 and t2 at right angles, in the mesh's own axes.
     pub directions: Option<&'a [[[f32; 3]; 2]]>,
@@ -117,9 +113,8 @@ impl CurvatureTable<'_> {
             ("flags", Some(self.flags.len()).filter(|&length| length > 0)),
         ];
         for (column, length) in lengths {
-            match length.map(|length| length as u64).filter(|&length| length != expected) {
-                Some(found) => return Err(EncodeError::Vertices { column, found, expected }),
-                None => continue,
+            if let Some(found) = length.map(|length| length as u64).filter(|&length| length != expected) {
+                return Err(EncodeError::Vertices { column, found, expected });
             }
         }
         let too_many = EncodeError::Vertices { column: "principal", found: expected, expected: u32::MAX.into() };
@@ -129,18 +124,21 @@ impl CurvatureTable<'_> {
     }
 
     fn check_numbers(&self) -> Result<(), EncodeError> {
-        let ordered = "κ1 ≥ κ2 within ±1e30 is accepted";
+        let ordered = "κ1 ≥ κ2 within ±2¹⁰⁰ is accepted";
         check_all("principal", self.principal, ordered, |k| in_bounds(k) && k[0] >= k[1])?;
         let directions = self.directions.unwrap_or_default();
         let perpendicular = "two unit vectors at right angles are accepted";
         check_all("directions", directions, perpendicular, are_directions)?;
-        let positive = "numbers within ±1e30 with E > 0 and EG − F² > 0 are accepted";
+        let positive = "numbers within ±2¹⁰⁰ with E > 0 and EG − F² > 0 are accepted";
         check_all("forms", self.forms.unwrap_or_default(), positive, |forms| {
             in_bounds(&forms.first) && in_bounds(&forms.second) && forms.is_positive()
         })?;
         let uv_directions = self.uv_directions.unwrap_or_default();
-        check_all("uv_directions", uv_directions, "±1e30 is accepted", |pair| in_bounds(pair.as_flattened()))?;
-        check_all("flags", self.flags, "known bits are accepted", |&flags| VertexFlags::KNOWN.contains(flags))
+        check_all("uv_directions", uv_directions, "±2¹⁰⁰ is accepted", |pair| in_bounds(pair.as_flattened()))?;
+        check_all("flags", self.flags, "known bits are accepted", |&flags| VertexFlags::KNOWN.contains(flags))?;
+        let unknown = "0 is accepted where a vertex is isolated or degenerate";
+        let pairs = self.principal.iter().zip(self.flags);
+        check_all("principal", pairs, unknown, |(&principal, flags)| !flags.is_unknown() || principal == [0.0; 2])
     }
 }
 
@@ -155,15 +153,15 @@ fn are_directions([first, second]: &[[f32; 3]; 2]) -> bool {
 }
 
 /// Refuses the first vertex that is not good.
-fn check_all<T: core::fmt::Debug>(
+fn check_all<T: core::fmt::Debug + Copy>(
     column: &'static str,
-    values: &[T],
+    values: impl IntoIterator<Item = T>,
     accepted: &'static str,
-    is_good: impl Fn(&T) -> bool,
+    is_good: impl Fn(T) -> bool,
 ) -> Result<(), EncodeError> {
-    match values.iter().position(|value| !is_good(value)) {
-        Some(vertex) => {
-            let found: String = format!("{:?}", values[vertex]);
+    match values.into_iter().enumerate().find(|&(_, value)| !is_good(value)) {
+        Some((vertex, value)) => {
+            let found = format!("{value:?}");
             Err(EncodeError::Vertex { column, vertex, found, accepted })
         }
         None => Ok(()),
