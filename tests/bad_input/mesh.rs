@@ -85,7 +85,7 @@ fn what_a_recipe_says_of_a_mesh_is_checked() {
     let mesh = "mesh: (path: \"torus.obj\")";
     for (fields, expected) in [
         ("mesh: (pth: \"a\")", "2:8: unknown field `pth`; did you mean `path`?"),
-        ("mesh: ()", "2:9: mesh: neither `path` nor `surface` is there; one of them is needed"),
+        ("mesh: ()", "2:8: mesh: neither `path` nor `surface` is there; one of them is needed"),
         ("mesh: (surface: Spher(radius: 1.0))", "2:17: unknown value `Spher`; did you mean `Sphere`?"),
         ("mesh: (surface: Sphere(radius: -1.0), vertices: 100)", " mesh: "),
         (&format!("{mesh}, curvature: (method: acurate)"), "2:48: unknown value `acurate`; did you mean `accurate`?"),

@@ -96,8 +96,8 @@ fn ply_is_the_mesh_in_colour() {
     assert_eq!(stored, place.array("torus.barchan", "curvature").values);
     // Convex on the outer equator, concave on the inner one, and neither on top.
     let [outer, top, inner] = [0, 6, 12].map(|vertex: usize| vertices[vertex].rgb);
-    assert!(outer[0] > outer[2] + 50, "red: {outer:?}");
-    assert!(inner[2] > inner[0] + 50, "blue: {inner:?}");
+    assert!(outer[0] > outer[2].saturating_add(50), "red: {outer:?}");
+    assert!(inner[2] > inner[0].saturating_add(50), "blue: {inner:?}");
     assert!(top.iter().all(|&channel| channel > 240), "white: {top:?}");
     let header = String::from_utf8_lossy(&ply[..400]).into_owned();
     assert!(header.contains("comment colour: least curvature k2; blue -0.6"), "{header}");

@@ -82,7 +82,7 @@ pub enum MeshError {
         possible: u64,
     },
     /// No surface.
-    #[error("the {format} file has {vertices} vertices and no triangle; a surface of at least one triangle is needed")]
+    #[error("the {format} file has no triangle (vertices: {vertices}); a surface of at least one triangle is needed")]
     NoTriangles {
         /// The format.
         format: Format,

@@ -121,23 +121,32 @@ impl File {
                 return Err(line.not_a_corner(word));
             }
             if !part.is_empty() {
-                let index = line.index(word, part, counts[kind], KINDS[kind])?;
-                let highest = &mut self.highest[kind];
-                if u64::from(index) >= highest.end {
-                    *highest = Highest { end: u64::from(index) + 1, line: line.number };
+                let Some(index) = text::integer(part) else { return Err(line.not_a_corner(word)) };
+                named[kind] = match text::from_zero(index, counts[kind]) {
+                    Some(named) => named,
+                    None if self.may_lack(kind) => NONE,
+                    None => return Err(line.not_there(word, index, counts[kind], KINDS[kind])),
+                };
+                if named[kind] != NONE && u64::from(named[kind]) >= self.highest[kind].end {
+                    self.highest[kind] = Highest { end: u64::from(named[kind]) + 1, line: line.number };
                 }
-                named[kind] = index;
             }
         }
         let [position, uv, normal] = named;
         Ok(Corner { position, uv, normal })
     }
 
+    /// Whether a corner may name what is not there: no normal stops a bake, and some programs leave out all `vt` lines.
+    fn may_lack(&self, kind: usize) -> bool {
+        kind == 2 || (kind == 1 && self.uvs.is_empty())
+    }
+
     fn check_indices(&self) -> Result<(), DecodeError> {
         let counts = [self.positions.len(), self.uvs.len(), self.normals.len()];
-        for ((highest, count), kind) in self.highest.iter().zip(counts).zip(KINDS) {
-            if highest.end > count as u64 {
-                let reason = format!("a corner names {kind} {}; 1 to {count} would be accepted", highest.end);
+        for (kind, (highest, count)) in self.highest.iter().zip(counts).enumerate() {
+            if highest.end > count as u64 && !self.may_lack(kind) {
+                let (named, kind) = (highest.end, KINDS[kind]);
+                let reason = format!("a corner names {kind} {named}, of which there are {count}; numbers count from 1");
                 return Err(MeshError::Line { format: FORMAT, line: highest.line, reason }.into());
             }
         }
@@ -148,6 +157,7 @@ impl File {
         let Self { mut positions, uvs, normals, corners, sizes, ignored, .. } = self;
         let first_uv = first_of_its_like(uvs.iter().map(DVec2::to_array));
         let first_normal = first_of_its_like(normals.iter().map(DVec3::to_array));
+        // What is not there counts as not given.
         let alike = |firsts: &[u32], named: u32| firsts.get(named as usize).copied().unwrap_or(NONE);
         let mut rows = Rows::new(positions.len());
         let mut polygons = Polygons { corners: reserved(corners.len())?, sizes };

@@ -72,18 +72,11 @@ impl Line<'_> {
         }
     }
 
-    /// The index that `part` of the corner `word` names, from 0, where there are `count` so far.
-    pub(super) fn index(&self, word: &[u8], part: &[u8], count: usize, kind: &str) -> Result<u32, DecodeError> {
-        let Some(index) = integer(part) else { return Err(self.not_a_corner(word)) };
-        let from_zero = if index < 0 { count as i64 + index } else { index - 1 };
-        // The two largest stand for "none" and "unused".
-        match u32::try_from(from_zero) {
-            Ok(from_zero) if from_zero < NONE - 1 => Ok(from_zero),
-            _ => Err(self.damaged(&format!(
-                "the corner `{}` names {kind} {index}, where {count} were given so far; numbers count from 1, and from -1 backwards",
-                shown(word)
-            ))),
-        }
+    pub(super) fn not_there(&self, word: &[u8], index: i64, count: usize, kind: &str) -> DecodeError {
+        self.damaged(&format!(
+            "the corner `{}` names {kind} {index}, where {count} were given so far; numbers count from 1, and from -1 backwards",
+            shown(word)
+        ))
     }
 
     pub(super) fn not_a_corner(&self, word: &[u8]) -> DecodeError {
@@ -98,8 +91,15 @@ impl Line<'_> {
     }
 }
 
+/// What an index names, counted from 0, where there are `count` so far.
+pub(super) fn from_zero(index: i64, count: usize) -> Option<u32> {
+    let from_zero = if index < 0 { count as i64 + index } else { index - 1 };
+    // The two largest stand for "none" and "unused".
+    u32::try_from(from_zero).ok().filter(|from_zero| *from_zero < NONE - 1)
+}
+
 /// A whole number of at most 18 digits.
-fn integer(word: &[u8]) -> Option<i64> {
+pub(super) fn integer(word: &[u8]) -> Option<i64> {
     let (sign, digits) = match word {
         [b'-', digits @ ..] => (-1, digits),
         [b'+', digits @ ..] => (1, digits),

@@ -5,11 +5,13 @@
 //!
 //! What is read: of the element `vertex` the properties x, y, z, then nx, ny, nz, and the first of the pairs (s, t), (u, v), (texture_u, texture_v)
 //! that is there, in any type; of `face` the list `vertex_indices` or `vertex_index`; of `tristrips` the same list, in which a negative number
-//! ends a strip. Everything else is stepped over. In a text, lines do not matter after the header, as numbers tell their own count.
+//! ends a strip. Everything else is stepped over. In a text, a row may go on over several
+//! lines, and numbers behind it on its last line, of which the header knows nothing, are passed over.
 
 mod header;
 mod values;
 
+use barchan_field::FieldError;
 use glam::{DVec2, DVec3};
 
 use self::{

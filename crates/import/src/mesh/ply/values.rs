@@ -34,6 +34,7 @@ impl<'a> Values<'a> {
                 Kind::List { count, item } => self.skip_list(count, item)?,
             }
         }
+        self.end_row();
         Ok(())
     }
 
@@ -55,11 +56,19 @@ impl<'a> Values<'a> {
                 Kind::List { count, item } => self.skip_list(count, item)?,
             }
         }
+        self.end_row();
         Ok(())
     }
 
     pub(super) fn skip_row(&mut self, element: &Element) -> Result<(), DecodeError> {
         self.read_list_row(element, usize::MAX, |_| Ok(()))
+    }
+
+    fn end_row(&mut self) {
+        if self.encoding == Encoding::Text {
+            let len = self.rest.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(self.rest.len());
+            self.rest = &self.rest[len..];
+        }
     }
 
     fn skip(&mut self, scalar: Type) -> Result<(), DecodeError> {
