@@ -77,6 +77,12 @@ impl Sheets {
     }
 }
 
+/// The place of every vertex that a triangle uses: vertices at one place are welded, hard edges aside.
+pub(super) fn places(mesh: &Mesh) -> Vec<Option<u32>> {
+    let of_vertex = weld::weld(mesh).of_vertex;
+    of_vertex.into_iter().map(|place| (place != NONE).then_some(place)).collect()
+}
+
 /// Three places per triangle, and how many triangles have fewer.
 fn corners_of(mesh: &Mesh, places: &Places) -> (Vec<u32>, u64) {
     let mut collapsed = 0;
