@@ -107,8 +107,9 @@ const OBJ_STATEMENTS: [&[u8]; 19] = [
     b"maplib", b"cstype", b"deg", b"lod",
 ];
 
-/// What the file is, by its content and never by its name. PNG, EXR, TIFF, NPY, PLY and binary glTF begin with a signature; a text that begins
-/// with `{` is taken for glTF, and one whose first line that is neither blank nor a comment is an OBJ statement, for OBJ.
+/// What the file is, by its content and never by its name. PNG, EXR, TIFF, NPY, PLY and binary glTF begin with a
+/// signature; a text that begins with `{` is taken for glTF, and one whose first line that is neither blank nor a
+/// comment is an OBJ statement, for OBJ.
 ///
 /// # Errors
 /// [`DecodeError::EmptyFile`] and [`DecodeError::UnknownFormat`], which says what the bytes seem to be instead.

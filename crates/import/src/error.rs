@@ -122,7 +122,7 @@ pub enum DecodeError {
         possible: u128,
     },
     /// The system did not grant the memory.
-    #[error("the image needs a block of {bytes} bytes of memory, which the system refuses; a smaller image is needed")]
+    #[error("reading it needs a block of {bytes} bytes of memory, which the system refuses; a smaller file is needed")]
     Memory {
         /// Bytes asked for.
         bytes: u128,

@@ -118,6 +118,18 @@ fn buffers_beside_the_file_are_asked_for_once_and_by_their_plain_names() {
     assert_eq!(asked, ["a b/ü.bin"]);
 }
 
+/// What a file may hold is measured with the files beside it.
+#[test]
+fn a_short_gltf_may_have_a_long_buffer() {
+    let [from, to] = [r#""byteLength": 36}"#, r#""byteLength": 1200000}"#];
+    let json = at("x.bin").replace(from, to).replace(r#""byteLength": 51"#, r#""byteLength": 1200003"#);
+    let json = json.replace(r#""byteOffset": 48"#, r#""byteOffset": 1200000"#).replace(r#", "TEXCOORD_0": 1"#, "");
+    let json = json.replacen(r#""count": 3"#, r#""count": 100000"#, 1);
+    let long = [vec![0; 1_200_000], vec![0, 1, 2]].concat();
+    let read = decode_mesh(json.as_bytes(), &MeshOptions::default(), &mut |_| Ok(long.clone()));
+    assert_eq!(read.unwrap().source.vertices, 100_000);
+}
+
 #[test]
 fn no_path_leads_out_of_the_folder() {
     for uri in [

@@ -104,7 +104,8 @@ fn is_usable(normal: &DVec3) -> bool {
     normal.is_finite() && *normal != DVec3::ZERO
 }
 
-/// The normal of the triangles around a vertex, weighed by area, where it has no usable one; +z where they have none either.
+/// The normal of the triangles around a vertex, weighed by area, where it has no usable one; +z where they have none
+/// either.
 fn replace_normals(normals: &mut [DVec3], mesh: &Mesh) -> u64 {
     let is_missing: Vec<bool> = normals.iter().map(|normal| !is_usable(normal)).collect();
     if !is_missing.contains(&true) {

@@ -55,11 +55,12 @@ pub struct MeshSourceInfo {
     pub normals_replaced: u64,
     /// Points, lines, curves and faces of fewer than three corners, which are no surface and were left out.
     pub ignored: u64,
-    /// Files beside this one that were read, as a glTF names them.
+    /// Files beside this one that were read, as paths below its folder.
     pub buffers: Vec<String>,
 }
 
-/// Reads a file and decodes it: [`read_file`], then [`decode_mesh`] with [`buffers_beside`] it; every error begins with the path.
+/// Reads a file and decodes it: [`read_file`], then [`decode_mesh`] with [`buffers_beside`] it; every error begins with
+/// the path.
 pub fn read_mesh(path: &Path, options: &MeshOptions) -> Result<ImportedMesh, ImportError> {
     let bytes = read_file(path)?;
     decode_mesh(&bytes, options, &mut buffers_beside(path))
@@ -69,8 +70,8 @@ pub fn read_mesh(path: &Path, options: &MeshOptions) -> Result<ImportedMesh, Imp
 /// Decodes the bytes of an OBJ, PLY or glTF file.
 ///
 /// `read_buffer` is asked for the buffers that a glTF keeps in other files, by relative paths such as `duck.bin` or
-/// `buffers/duck.bin`: `/` separates, percent signs are decoded, and no part is empty, `.` or `..`. [`buffers_beside`] reads them from
-/// a folder, [`no_buffers`] refuses.
+/// `buffers/duck.bin`: `/` separates, percent signs are decoded, and no part is empty, `.` or `..`. [`buffers_beside`]
+/// reads them from a folder, [`no_buffers`] refuses.
 pub fn decode_mesh(
     bytes: &[u8],
     options: &MeshOptions,
@@ -85,7 +86,8 @@ pub fn decode_mesh(
     raw.build(options)
 }
 
-/// Reads buffers from the folder of `path` and its folders, and from nowhere else: a link that leads out is refused, too.
+/// Reads buffers from the folder of `path` and its folders, and from nowhere else: a link that leads out is refused,
+/// too.
 pub fn buffers_beside(path: &Path) -> impl FnMut(&str) -> io::Result<Vec<u8>> {
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),

@@ -7,10 +7,11 @@ use crate::{DecodeError, Format, MeshError};
 /// What turns a file into a mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshOptions {
-    /// What positions are measured in; a label that changes no number. `None` takes what the format says: metres in glTF, else
-    /// the scene's own unit.
+    /// What positions are measured in; a label that changes no number. `None` takes what the format says: metres in
+    /// glTF, else the scene's own unit.
     pub unit: Option<LengthUnit>,
-    /// Which mesh of a glTF file: its name, or its number counted from 0. `None` takes the only one. OBJ and PLY hold one mesh.
+    /// Which mesh of a glTF file: its name, or its number counted from 0. `None` takes the only one. OBJ and PLY hold
+    /// one mesh.
     pub mesh: Option<String>,
     /// The most vertices to accept.
     pub max_vertices: u64,

@@ -1,9 +1,9 @@
 //! Polygons into triangles.
 //!
-//! A strictly convex polygon is a fan from its first corner. Any other is cut into ears (G. H. Meisters, *Polygons have ears*, 1975)
-//! in the plane of its mean normal (Newell's): the first corner that is convex and whose triangle holds no other corner is cut off,
-//! again and again. Where no ear is left, in a polygon that crosses itself or has no area, the rest is a fan; so is a polygon of
-//! more than [`MAX_EARS`] corners, since the search takes the square of their number.
+//! A strictly convex polygon is a fan from its first corner. Any other is cut into ears (G. H. Meisters, *Polygons have
+//! ears*, 1975) in the plane of its mean normal (Newell's): the first corner that is convex and whose triangle holds no
+//! other corner is cut off, again and again. Where no ear is left, in a polygon that crosses itself or has no area, the
+//! rest is a fan; so is a polygon of more than [`MAX_EARS`] corners, since the search takes the square of their number.
 
 use glam::{DVec2, DVec3};
 

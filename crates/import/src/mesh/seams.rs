@@ -1,8 +1,8 @@
 //! OBJ numbers positions, texture coordinates and normals apart; a mesh has one row for all three.
 //!
-//! Row i is the i-th position with the first pair of texture coordinate and normal that a corner gives it. Every further pair
-//! makes a row behind the last position, in order of first use. Pairs are told apart by value and not by number, since many
-//! programs write the same normal once per corner.
+//! Row i is the i-th position with the first pair of texture coordinate and normal that a corner gives it. Every
+//! further pair makes a row behind the last position, in order of first use. Pairs are told apart by value and not by
+//! number, since many programs write the same normal once per corner.
 
 use std::collections::HashMap;
 

@@ -125,6 +125,23 @@ impl Reader<'_> {
         self.document.accessors.get(number).map_or(0, |accessor| accessor.count)
     }
 
+    /// Fetches the buffers of an accessor, so that what it may promise is known.
+    pub(super) fn fetch(&mut self, number: usize) -> Result<(), DecodeError> {
+        let Some(accessor) = self.document.accessors.get(number) else { return Ok(()) };
+        let sparse = accessor.sparse.as_ref();
+        let views = [
+            accessor.buffer_view,
+            sparse.map(|sparse| sparse.indices.buffer_view),
+            sparse.map(|sparse| sparse.values.buffer_view),
+        ];
+        for view in views.into_iter().flatten() {
+            if let Some(about) = self.document.buffer_views.get(view) {
+                self.buffers.fetch(about.buffer)?;
+            }
+        }
+        Ok(())
+    }
+
     /// Refuses more than one thing per byte of what was read.
     pub(super) fn check_total(&self, things: &str, count: u64) -> Result<(), DecodeError> {
         let possible = self.buffers.total_bytes();

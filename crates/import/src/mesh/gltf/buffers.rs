@@ -1,5 +1,5 @@
-//! Where the numbers are: in the .glb, in the JSON as base64, or in files beside it. A buffer is fetched when it is first needed, and a
-//! file once.
+//! Where the numbers are: in the .glb, in the JSON as base64, or in files beside it. A buffer is fetched when it is
+//! first needed, and a file once.
 
 use std::{borrow::Cow, io};
 

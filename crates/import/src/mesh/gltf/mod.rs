@@ -1,11 +1,13 @@
 //! glTF 2.0: one mesh of the file, all its primitives.
 //!
-//! Own code above `serde_json`, since the `gltf` crate knows no quantised positions and takes the counts of accessors on trust.
+//! Own code above `serde_json`, since the `gltf` crate knows no quantised positions and takes the counts of accessors
+//! on trust.
 //!
-//! Primitives that share the accessors of position, normal and texture coordinate share vertices, too; each distinct set appends those of its
-//! accessors, in file order. Triangles, strips and fans are read; of strips, triangles that name a vertex twice only join and are left
-//! out. Read are the attributes `POSITION`, `NORMAL` and `TEXCOORD_0`, sparse accessors, and `KHR_mesh_quantization`. Not applied are
-//! the transforms of nodes (a mesh is where its attributes say), morph targets, skins, and transforms of textures.
+//! Primitives that share the accessors of position, normal and texture coordinate share vertices, too; each distinct
+//! set appends those of its accessors, in file order. Triangles, strips and fans are read; of strips, triangles that
+//! name a vertex twice only join and are left out. Read are the attributes `POSITION`, `NORMAL` and `TEXCOORD_0`,
+//! sparse accessors, and `KHR_mesh_quantization`. Not applied are the transforms of nodes (a mesh is where its
+//! attributes say), morph targets, skins, and transforms of textures.
 
 mod accessor;
 mod buffers;
@@ -126,6 +128,7 @@ impl Made {
             return Ok(known.clone());
         }
         let position = attributes.position.ok_or_else(|| damaged("a primitive has no POSITION"))?;
+        reader.fetch(position)?;
         let (start, count) = (self.raw.positions.len(), reader.count(position));
         for accessor in [attributes.uv, attributes.normal].into_iter().flatten() {
             if reader.count(accessor) != count {

@@ -1,11 +1,12 @@
 //! Wavefront OBJ: `v`, `vt`, `vn` and `f` lines of all objects and groups make one mesh.
 //!
-//! Own code, since the `tobj` crate keeps only the positions that faces use, in the order of use: the i-th row of a table would not be
-//! the i-th `v` of the file. It also loses on which line a number is bad.
+//! Own code, since the `tobj` crate keeps only the positions that faces use, in the order of use: the i-th row of a
+//! table would not be the i-th `v` of the file. It also loses on which line a number is bad.
 //!
-//! What is read: numbers in f64; a `\` at the end of a line; positive and negative indices, also of lines further on; a byte order mark.
-//! What is passed over: the fourth and further numbers of a `v` (weights and colours), materials, groups, smoothing groups. What is
-//! passed over and counted: points, lines, curves, and faces of fewer than three corners.
+//! What is read: numbers in f64; a `\` at the end of a line; positive and negative indices, also of lines further on; a
+//! byte order mark. What is passed over: the fourth and further numbers of a `v` (weights and colours), materials,
+//! groups, smoothing groups. What is passed over and counted: points, lines, curves, and faces of fewer than three
+//! corners.
 
 mod text;
 

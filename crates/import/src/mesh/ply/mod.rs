@@ -1,12 +1,13 @@
 //! The Stanford polygon format, in text and in both byte orders.
 //!
-//! Own code, since the `ply-rs-bw` crate builds a value for each row on the word of the header (an element without properties and with
-//! a count of 10¹⁸ fills the memory), and asks for each number by name.
+//! Own code, since the `ply-rs-bw` crate builds a value for each row on the word of the header (an element without
+//! properties and with a count of 10¹⁸ fills the memory), and asks for each number by name.
 //!
-//! What is read: of the element `vertex` the properties x, y, z, then nx, ny, nz, and the first of the pairs (s, t), (u, v), (texture_u, texture_v)
-//! that is there, in any type; of `face` the list `vertex_indices` or `vertex_index`; of `tristrips` the same list, in which a negative number
-//! ends a strip. Everything else is stepped over. In a text, a row may go on over several
-//! lines, and numbers behind it on its last line, of which the header knows nothing, are passed over.
+//! What is read: of the element `vertex` the properties x, y, z, then nx, ny, nz, and the first of the pairs (s, t),
+//! (u, v), (texture_u, texture_v) that is there, in any type; of `face` the list `vertex_indices` or `vertex_index`; of
+//! `tristrips` the same list, in which a negative number ends a strip. Everything else is stepped over. In a text, a
+//! row may go on over several lines, and numbers behind it on its last line, of which the header knows nothing, are
+//! passed over.
 
 mod header;
 mod values;
@@ -24,7 +25,6 @@ use super::{
     polygon::Polygons,
 };
 use crate::{DecodeError, Format, limits::reserved};
-use barchan_field::FieldError;
 
 const FORMAT: Format = Format::Ply;
 
@@ -137,7 +137,8 @@ impl Faces {
         Ok(())
     }
 
-    /// Every corner after the second ends a triangle; every other triangle runs backwards. Those that name a corner twice only join.
+    /// Every corner after the second ends a triangle; every other triangle runs backwards. Those that name a corner
+    /// twice only join.
     fn read_strips(&mut self, element: &Element, values: &mut Values<'_>) -> Result<(), DecodeError> {
         let list = corner_list(element)?;
         for face in 0..element.count {
