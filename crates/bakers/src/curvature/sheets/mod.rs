@@ -59,6 +59,11 @@ pub(super) struct Sheets {
 }
 
 impl Sheets {
+    /// The points that share an edge with a point.
+    pub(super) fn around(&self, point: usize) -> &[u32] {
+        &self.neighbours[self.starts[point] as usize..self.starts[point + 1] as usize]
+    }
+
     /// Welds, orients and cuts a mesh.
     pub(super) fn of(mesh: &Mesh, hard_edge_degrees: f64, exec: &Exec) -> Self {
         let mut places = weld::weld(mesh);
