@@ -109,7 +109,7 @@ fn a_mesh_that_is_none_is_refused_and_named() {
     for (content, expected) in [
         (
             "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
-            "the OBJ file has 3 vertices and no triangle; a surface of at least one triangle is needed",
+            "the OBJ file has no triangle (vertices: 3); a surface of at least one triangle is needed",
         ),
         (
             "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n",
