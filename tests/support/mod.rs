@@ -241,7 +241,7 @@ impl Torus {
 
     pub(crate) fn obj(&self) -> String {
         let positions = self.positions();
-        let vertices = positions.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n"));
+        let vertices = positions.iter().map(vertex_line);
         let triangles = self.triangles();
         let faces = triangles.iter().map(|triangle| {
             let [a, b, c] = triangle.map(|corner| corner + 1);
@@ -253,7 +253,7 @@ impl Torus {
     /// [`Self::obj`] with texture coordinates, which have a seam where each circle closes.
     pub(crate) fn obj_with_uvs(&self) -> String {
         let (around, along) = (self.around, self.along);
-        let mut text: String = self.positions().iter().map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect();
+        let mut text: String = self.positions().iter().map(vertex_line).collect();
         for (u, v) in (0..=around).flat_map(|u| (0..=along).map(move |v| (u, v))) {
             text += &format!("vt {} {}\n", f64::from(u) / f64::from(around), f64::from(v) / f64::from(along));
         }
@@ -311,6 +311,12 @@ impl Torus {
         bytes.extend(buffer);
         bytes
     }
+}
+
+/// A position to the last bit, as a reader of f64 wants it.
+fn vertex_line(position: &[f32; 3]) -> String {
+    let [x, y, z] = position.map(f64::from);
+    format!("v {x} {y} {z}\n")
 }
 
 /// A picture in colour.

@@ -84,9 +84,5 @@ pub(crate) fn flagged(counts: &[FlagCount], vertices: u64) -> String {
         if words.is_empty() { "none".to_owned() } else { words.join(", ") }
     };
     let (unknown, others) = counts.iter().partition(is_unknown);
-    format!(
-        "of {vertices} vertices, unknown and stored as 0: {}; otherwise remarkable: {}",
-        list(unknown),
-        list(others)
-    )
+    format!("of {vertices} vertices, unknown and stored as 0: {}; remarks: {}", list(unknown), list(others))
 }

@@ -14,7 +14,7 @@ use barchan_pipeline::{
 const TORUS: ParametricSurface = ParametricSurface::Torus { major: 2.0, minor: 0.5 };
 
 fn torus(uv_seam: bool) -> SurfaceSource {
-    let tessellation = Tessellation { vertices: 600, pattern: Pattern::Jittered, seed: 3, uv_seam };
+    let tessellation = Tessellation { vertices: 2000, pattern: Pattern::Jittered, seed: 3, uv_seam };
     SurfaceSource { surface: TORUS, tessellation }
 }
 
@@ -97,7 +97,7 @@ fn curvature_is_that_of_the_closed_form() {
             }
             assert_eq!(table.vertices() as usize, truth.len());
             let error = f64::sqrt(errors / sizes);
-            assert!(error < 0.01, "{error}");
+            assert!(error < 0.005, "{error}");
         });
     }
 }
@@ -211,7 +211,7 @@ fn relief_on_a_mesh_is_swept_over_its_curvatures() {
     assert_eq!(validate(&bytes, &Limits::default()), []);
     let range = report.swept.unwrap().on_mesh.unwrap();
     // κ2 = −1 / (R − r) on the inner equator, κ1 = 1 / r everywhere.
-    assert!((range.mesh.0 + 1.0 / 1.5).abs() < 0.02 && (range.mesh.1 - 2.0).abs() < 0.03, "{range:?}");
+    assert!((range.mesh.0 + 1.0 / 1.5).abs() < 0.07 && (range.mesh.1 - 2.0).abs() < 0.2, "{range:?}");
     assert_eq!(range.mesh, range.swept);
 
     let mut named = recipe_with_relief();
