@@ -44,7 +44,7 @@ pub fn generate_mesh(source: &SurfaceSource, unit: LengthUnit) -> Result<MeshInp
     Ok(MeshInput {
         mesh,
         unit,
-        provenance: MeshProvenance { source: MeshOrigin::Surface(*source), vertices, triangles },
+        provenance: MeshProvenance { source: MeshOrigin::Surface(Box::new(*source)), vertices, triangles },
         report: MeshReport {
             source: format!("generated {}", surface.name()),
             path: None,

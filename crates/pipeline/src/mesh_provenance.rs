@@ -31,7 +31,7 @@ pub enum MeshOrigin {
         mesh: Option<String>,
     },
     /// A closed form.
-    Surface(SurfaceSource),
+    Surface(Box<SurfaceSource>),
 }
 
 /// What baked the curvature, with what, and what it found on the way.

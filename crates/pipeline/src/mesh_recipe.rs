@@ -15,7 +15,7 @@ pub enum MeshSource {
     /// A mesh on disk.
     File(MeshFile),
     /// A closed form.
-    Surface(SurfaceSource),
+    Surface(Box<SurfaceSource>),
 }
 
 /// A mesh on disk: OBJ, PLY or glTF, which its bytes tell.
@@ -81,7 +81,7 @@ impl TryFrom<MeshText> for MeshSource {
                     seed: text.seed.unwrap_or(0),
                     uv_seam: text.uv_seam.unwrap_or(false),
                 };
-                Ok(Self::Surface(SurfaceSource { surface, tessellation }))
+                Ok(Self::Surface(Box::new(SurfaceSource { surface, tessellation })))
             }
         }
     }

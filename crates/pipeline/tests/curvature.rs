@@ -20,7 +20,7 @@ fn torus(uv_seam: bool) -> SurfaceSource {
 
 /// A torus in centimetres, stored exactly.
 fn recipe(uv_seam: bool) -> Recipe {
-    let mut recipe = Recipe::bare_mesh(MeshSource::Surface(torus(uv_seam)));
+    let mut recipe = Recipe::bare_mesh(MeshSource::Surface(Box::new(torus(uv_seam))));
     recipe.unit = Some(LengthUnit::Centimetre);
     recipe.curvature.encoding = CurvatureEncoding::F32;
     recipe
@@ -167,7 +167,7 @@ fn an_open_surface_has_its_border_flagged() {
     let surface = ParametricSurface::Saddle { valley_radius: 2.0, ridge_radius: 3.0, size: 1.0 };
     let tessellation = Tessellation { vertices: 400, ..torus(false).tessellation };
     let mut recipe = recipe(false);
-    recipe.mesh = Some(MeshSource::Surface(SurfaceSource { surface, tessellation }));
+    recipe.mesh = Some(MeshSource::Surface(Box::new(SurfaceSource { surface, tessellation })));
     let Baked { bytes, report } = baked(recipe);
     let CurvatureProvenance { flagged, .. } = report.curvature.unwrap();
     let [border] = &flagged[..] else { panic!("{flagged:?}") };
@@ -184,7 +184,7 @@ fn provenance_reads_back_as_it_was_written() {
     let (settings, Baked { bytes, report }) = (recipe.curvature, baked(recipe));
     let provenance = provenance(&bytes);
     let mesh = provenance.mesh.unwrap();
-    assert_eq!(mesh.source, MeshOrigin::Surface(torus(true)));
+    assert_eq!(mesh.source, MeshOrigin::Surface(Box::new(torus(true))));
     assert_eq!(mesh.vertices, report.mesh.unwrap().vertices);
     let curvature = provenance.curvature.unwrap();
     assert_eq!(Some(&curvature), report.curvature.as_ref());

@@ -263,7 +263,7 @@ fn a_surface_is_a_mesh_too() {
     let surface = ParametricSurface::Torus { major: 2.0, minor: 0.5 };
     let of = |pattern, seed, uv_seam| {
         let tessellation = Tessellation { vertices: 4000, pattern, seed, uv_seam };
-        Ok(MeshSource::Surface(SurfaceSource { surface, tessellation }))
+        Ok(MeshSource::Surface(Box::new(SurfaceSource { surface, tessellation })))
     };
     let torus = "surface: Torus(major: 2.0, minor: 0.5), vertices: 4000";
     assert_eq!(mesh(torus), of(Pattern::Jittered, 0, false));
