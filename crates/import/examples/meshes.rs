@@ -1,5 +1,10 @@
-//! Reads meshes and says what was found, and how long it took: `cargo run --release -p barchan-import --example meshes -- FILE…`
-#![allow(clippy::print_stdout)]
+//! Reads meshes and says what was found, and how long reading took.
+//!
+//! ```text
+//! cargo run --release -p barchan-import --example meshes -- FILE…
+//! ```
+
+#![allow(clippy::print_stdout, reason = "an example's output is its purpose")]
 
 use std::{env, path::Path, time::Instant};
 

@@ -54,9 +54,9 @@
 //!   down. One that is not finite is refused. If some vertices have one, those without get (0, 0) and are
 //!   [counted](MeshSourceInfo::uvs_missing). In PLY, those of vertices are read, under the names (s, t), (u, v),
 //!   (texture_u, texture_v) or (texture_s, texture_t); those of face corners are not.
-//! - **Normals** are as stated, of any length. One that is missing, zero or not finite is replaced by the mean of its
-//!   vertex's triangles, weighed by area, and [counted](MeshSourceInfo::normals_replaced); if none is usable, the mesh
-//!   has none. No normal stops a bake.
+//! - **Normals** are as stated, of any length. One that is missing, zero or not finite becomes a normal of no length,
+//!   which says nothing, and is [counted](MeshSourceInfo::normals_missing); if none is usable, the mesh has none. No
+//!   normal stops a bake.
 //! - The **unit** is a label: metres in glTF, the scene's own elsewhere, unless [told](MeshOptions::unit) otherwise.
 //!
 //! # Strangers' files

@@ -96,12 +96,13 @@ fn missing_texture_coordinates_are_zero_and_counted() {
 fn unusable_normals_do_not_stop_a_bake() {
     let read =
         mesh(format!("{SQUARE}vn 0 3 4\nvn 0 0 0\nvn nan 0 1\nvn -nan(ind) 0 1\nf 1//1 2//2 3//3\nf 1//1 3//9 4//4\n"));
-    assert_eq!(read.source.normals_replaced, 4);
+    // 2, 3, 3 again, and 4.
+    assert_eq!(read.source.normals_missing, 4);
     let normals = read.mesh.normals().unwrap();
     assert_eq!(normals[0], DVec3::new(0.0, 3.0, 4.0), "as stated, of any length");
-    assert!(normals[1..].iter().all(|normal| *normal == DVec3::Z), "{normals:?}");
+    assert!(normals[1..].iter().all(|normal| *normal == DVec3::ZERO), "{normals:?}");
     let none = mesh(format!("{SQUARE}vn 0 0 0\nf 1//1 2//1 3//1\n"));
-    assert_eq!((none.mesh.normals(), none.source.normals_replaced), (None, 0));
+    assert_eq!((none.mesh.normals(), none.source.normals_missing), (None, 0));
 }
 
 #[test]
@@ -205,6 +206,16 @@ fn what_is_refused_is_named() {
     ] {
         assert_eq!(refusal(text), message);
     }
+}
+
+#[test]
+fn an_obj_holds_one_mesh() {
+    let options = MeshOptions { mesh: Some("left".into()), ..MeshOptions::default() };
+    let refused = decode_mesh(SQUARE.as_bytes(), &options, &mut no_buffers).unwrap_err().to_string();
+    assert_eq!(
+        refused,
+        "`mesh` is `left`, which the OBJ file does not have; none (it holds one mesh) would be accepted"
+    );
 }
 
 #[test]

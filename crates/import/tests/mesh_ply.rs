@@ -29,11 +29,11 @@ fn each_pair_of_names_for_texture_coordinates() {
 }
 
 #[test]
-fn unusable_normals_are_replaced() {
+fn unusable_normals_say_nothing() {
     let properties = "property float nx\nproperty float ny\nproperty float nz\n";
     let read = mesh(text(properties, ["0 0 0", "0 2 0", "nan 0 1"], FACE));
-    assert_eq!(read.mesh.normals(), Some(&[DVec3::Z, 2.0 * DVec3::Y, DVec3::Z][..]));
-    assert_eq!(read.source.normals_replaced, 2);
+    assert_eq!(read.mesh.normals(), Some(&[DVec3::ZERO, 2.0 * DVec3::Y, DVec3::ZERO][..]));
+    assert_eq!(read.source.normals_missing, 2);
 }
 
 #[test]

@@ -2,82 +2,18 @@
 
 use std::io::{Read, Seek, Write};
 
-use barchan_asset::{
-    ColumnLayout, CurvatureColumn, CurvatureTable, EncodedCurvature, EncodingLoss, LengthUnit, SurfaceForms,
-    VertexFlags,
-};
+use barchan_asset::{ColumnLayout, CurvatureTable, EncodedCurvature, EncodingLoss, SurfaceForms, VertexFlags};
 use barchan_bakers::Exec;
 use barchan_bakers::curvature::{self, MeshCurvature, VertexForms};
 
 use crate::clock::Clock;
+use crate::curvature_part::column_unit;
 use crate::error::refused;
 use crate::layout::length_unit;
 use crate::mesh_provenance::CurvatureProvenance;
 use crate::provenance::EncodingProvenance;
 use crate::sink::Sink;
-use crate::{CurvatureEncoding, CurvatureRecipe, MeshInput, PipelineError, Plan, Run, Table, swept_range};
-
-/// Columns that are of use only together, which are baked or left out as one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum CurvaturePart {
-    /// κ1 and κ2.
-    Principal,
-    /// Principal directions in three dimensions.
-    Directions,
-    /// The fundamental forms in texture coordinates.
-    Forms,
-    /// Principal directions in texture coordinates.
-    UvDirections,
-    /// Remarks on vertices.
-    Flags,
-}
-
-impl CurvaturePart {
-    /// Its name with that of the table, as in `curvature.forms`.
-    #[must_use]
-    pub fn full_name(self) -> &'static str {
-        match self {
-            Self::Principal => "curvature.principal",
-            Self::Directions => "curvature.directions",
-            Self::Forms => "curvature.forms",
-            Self::UvDirections => "curvature.uv_directions",
-            Self::Flags => "curvature.flags",
-        }
-    }
-
-    /// What it takes per vertex.
-    pub(crate) fn vertex_bytes(self, encoding: CurvatureEncoding) -> u64 {
-        let format = |column: &CurvatureColumn| column.formats()[usize::from(encoding == CurvatureEncoding::F16)];
-        self.columns().iter().map(|column| u64::from(format(column).stride())).sum()
-    }
-
-    /// Every part, in the order of the file.
-    pub const ALL: [Self; 5] = [Self::Principal, Self::Directions, Self::Forms, Self::UvDirections, Self::Flags];
-
-    /// `principal`, `directions`, `forms`, `uv_directions` or `flags`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Principal => "principal",
-            Self::Directions => "directions",
-            Self::Forms => "forms",
-            Self::UvDirections => "uv_directions",
-            Self::Flags => "flags",
-        }
-    }
-
-    /// The columns it is stored in.
-    #[must_use]
-    pub fn columns(self) -> &'static [CurvatureColumn] {
-        match self {
-            Self::Principal => &[CurvatureColumn::Principal],
-            Self::Directions => &[CurvatureColumn::Direction1, CurvatureColumn::Direction2],
-            Self::Forms => &[CurvatureColumn::FirstForm, CurvatureColumn::SecondForm],
-            Self::UvDirections => &[CurvatureColumn::UvDirections],
-            Self::Flags => &[CurvatureColumn::Flags],
-        }
-    }
-}
+use crate::{CurvaturePart, CurvatureRecipe, MeshInput, PipelineError, Plan, Run, Table, swept_range};
 
 /// What was found of a mesh.
 pub(crate) struct FoundCurvature {
@@ -115,23 +51,6 @@ impl WrittenCurvature {
             let loss = losses.iter().find(|(column, _)| *column == layout.column);
             (layout, loss.map(|(_, loss)| *loss).unwrap_or_default())
         })
-    }
-}
-
-/// The symbol of the unit of a column's numbers.
-pub(crate) fn column_unit(column: CurvatureColumn, length: LengthUnit) -> &'static str {
-    let [per_length, squared] = match length {
-        LengthUnit::SceneUnit => ["1/unit", "units²"],
-        LengthUnit::Metre => ["1/m", "m²"],
-        LengthUnit::Centimetre => ["1/cm", "cm²"],
-        LengthUnit::Millimetre => ["1/mm", "mm²"],
-        LengthUnit::Kilometre => ["1/km", "km²"],
-    };
-    match column {
-        CurvatureColumn::Principal | CurvatureColumn::UvDirections => per_length,
-        CurvatureColumn::FirstForm => squared,
-        CurvatureColumn::SecondForm => length.symbol(),
-        CurvatureColumn::Direction1 | CurvatureColumn::Direction2 | CurvatureColumn::Flags => "",
     }
 }
 

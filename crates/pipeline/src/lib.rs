@@ -10,6 +10,7 @@ mod bake;
 mod bounds;
 mod clock;
 mod curvature;
+mod curvature_part;
 mod directions;
 mod error;
 mod layout;
@@ -31,7 +32,7 @@ mod table;
 
 pub use accuracy::HorizonAccuracy;
 pub use bake::{Baked, Progress, Run, bake};
-pub use curvature::CurvaturePart;
+pub use curvature_part::CurvaturePart;
 pub use error::PipelineError;
 pub use mesh_input::{MeshInput, generate_mesh, read_mesh_file};
 pub use mesh_provenance::{CurvatureProvenance, FlagCount, MendedMesh, MeshOrigin, MeshProvenance};

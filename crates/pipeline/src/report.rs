@@ -7,7 +7,8 @@ use barchan_field::HeightField;
 use serde::Serialize;
 
 use crate::bake::Inputs;
-use crate::curvature::{WrittenCurvature, column_unit};
+use crate::curvature::WrittenCurvature;
+use crate::curvature_part::column_unit;
 use crate::provenance::{HorizonProvenance, Provenance, SweptProvenance};
 use crate::sink::WrittenTable;
 use crate::{CurvaturePart, CurvatureProvenance, Decision, Plan, PlannedTable, Recipe, Table};
@@ -161,8 +162,8 @@ pub struct LeftOut {
 /// How long a stage took.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StageTime {
-    /// `source`, `mesh`, `curvature`, `points`, `bounds`, `horizon`, `encode`, `write`, `sky`, `measure` or `checksum`, if there was anything to do;
-    /// the CLI adds `save`.
+    /// `source`, `mesh`, `curvature`, `forms`, `points`, `bounds`, `horizon`, `encode`, `write`, `sky`, `measure` or `checksum`,
+    /// if there was anything to do; the CLI adds `save`.
     pub stage: &'static str,
     /// Wall-clock seconds.
     pub seconds: f64,

@@ -13,8 +13,11 @@ use glam::DVec3;
 use super::frame::Frame;
 use super::jet::{Jet, JetFits, coefficients};
 
-/// Neighbours beyond what a jet needs, in effective number, before its residual is believed.
-const LEAST_FREEDOM: f64 = 5.0;
+/// Neighbours beyond its coefficients, in effective number, that a jet needs.
+const LEAST_FREEDOM: f64 = 1.0;
+/// The greatest variance of a shape, under unit noise, in a neighbourhood of unit size: 1000 is usual inside a surface, 10⁸ at its edge, where
+/// a jet looks out of its neighbourhood. Neighbours in rows and columns too few for a degree give 10¹¹ and more.
+const MOST_AMPLIFIED: f64 = 2e9;
 
 /// The shape operator of the surface at a point, in an orthonormal basis of its tangent plane.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -102,15 +105,18 @@ pub(super) struct Estimate {
 }
 
 impl Estimate {
-    /// The best degree of a fit; `None` if no degree is determined.
+    /// The highest degree that the neighbours support; `None` if they support none.
     pub(super) fn of(fits: &JetFits, extent: [f64; 2], flattened: f64) -> Option<Self> {
-        let determined = 2..=fits.degrees;
-        let Some(top) = determined.clone().rev().find(|&degree| freedom(fits, degree) >= super::knob::lf()) else {
-            // As many coefficients as neighbours: nothing is left over to judge by.
-            let lowest = determined.min()?;
-            return Some(Self { shape: Shape::of(fits.jet(lowest), extent, flattened), noise: None });
-        };
-        Some(Self { shape: Shape::of(fits.jet(top), extent, flattened), noise: Some(noise(fits, top, extent)) })
+        let [along, across] = extent;
+        // Of a neighbourhood of unit size.
+        let scale = along * along * across * across;
+        (2..=fits.degrees).rev().find_map(|degree| {
+            let freedom = freedom(fits, degree);
+            let shape = Shape::of(fits.jet(degree), extent, flattened);
+            let supported = degree == 2 || freedom >= LEAST_FREEDOM;
+            (supported && shape.variance * scale <= MOST_AMPLIFIED)
+                .then(|| Self { shape, noise: (freedom >= LEAST_FREEDOM).then(|| noise(fits, degree, extent)) })
+        })
     }
 }
 

@@ -4,7 +4,6 @@ mod chart;
 mod estimate;
 mod frame;
 mod jet;
-mod knob;
 mod narrow;
 mod neighbourhood;
 mod params;
@@ -18,12 +17,11 @@ pub use table::{MeshCurvature, MeshReport, VertexCurvature};
 use barchan_asset::VertexFlags;
 use barchan_field::Mesh;
 
-use narrow::Reach;
 use sheets::Sheets;
 
 use crate::{BakeError, Exec};
 
-/// Names what the baker does, for provenance: it changes when the same input gives other numbers.
+/// Names the algorithm in provenance. It changes when a bake's bytes do.
 pub const ALGORITHM: &str = "curvature-jets-1";
 
 /// Bakes the curvature of every vertex.
@@ -33,11 +31,7 @@ pub const ALGORITHM: &str = "curvature-jets-1";
 pub fn bake(mesh: &Mesh, params: &CurvatureParams, exec: &Exec) -> Result<MeshCurvature, BakeError> {
     params.check()?;
     let sheets = Sheets::of(mesh, params.hard_edge_degrees, exec);
-    let reach = match params.method {
-        CurvatureMethod::Fast => Reach { degree: 3, neighbours: 18 },
-        CurvatureMethod::Accurate => Reach { degree: 6, neighbours: std::env::var("NN").map_or(48, |v| v.parse().unwrap()) },
-    };
-    let found = narrow::fit_all(&sheets, reach, exec);
+    let found = narrow::fit_all(&sheets, params.method, exec);
     let of_point = |point: &Option<u32>| match point {
         Some(point) => found[*point as usize].curvature,
         None => VertexCurvature { flags: VertexFlags::ISOLATED, ..VertexCurvature::UNKNOWN },

@@ -1,7 +1,5 @@
 //! The first pass: a fit to the nearest neighbours of every point.
 
-use std::ops::Range;
-
 use barchan_asset::VertexFlags;
 use fearless_simd::{Level, Simd, dispatch};
 use glam::DVec3;
@@ -11,7 +9,7 @@ use super::frame::Frame;
 use super::jet::{JetFits, LANES, Samples, Solver};
 use super::neighbourhood::Gatherer;
 use super::sheets::Sheets;
-use super::table::VertexCurvature;
+use super::{CurvatureMethod, VertexCurvature};
 use crate::Exec;
 
 /// Points that a thread takes at a time.
@@ -29,15 +27,15 @@ pub(super) struct Found {
     pub(super) variance: f64,
 }
 
-/// Degree and neighbours of a pass.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Reach {
-    pub(super) degree: usize,
-    pub(super) neighbours: usize,
-}
+/// Neighbours of a cubic jet: ten coefficients.
+const FAST_NEIGHBOURS: usize = 18;
+/// Neighbours of a jet of degree six: 28 coefficients.
+const NEIGHBOURS: usize = 44;
+/// Neighbours of a jet of degree eight, 45 coefficients, which looks out over the edge of the surface.
+const BORDER_NEIGHBOURS: usize = 60;
 
 /// Fits every point.
-pub(super) fn fit_all(sheets: &Sheets, reach: Reach, exec: &Exec) -> Vec<Found> {
+pub(super) fn fit_all(sheets: &Sheets, method: CurvatureMethod, exec: &Exec) -> Vec<Found> {
     let unknown = Found { curvature: VertexCurvature::UNKNOWN, noise: None, variance: 0.0 };
     let mut found = vec![unknown; sheets.positions.len()];
     let level = Level::new();
@@ -45,17 +43,9 @@ pub(super) fn fit_all(sheets: &Sheets, reach: Reach, exec: &Exec) -> Vec<Found> 
     exec.for_each_with(
         blocks,
         || Worker { gatherer: Gatherer::new(sheets), samples: Samples::default(), sheets },
-        |worker, (block, found): (usize, &mut [Found])| {
-            let first = block * BLOCK;
-            let points = first..first + found.len();
-            match reach.degree {
-                3 => dispatch!(level, simd => worker.fit_block::<_, 3>(simd, reach.neighbours, points, found)),
-                _ => {
-                    dispatch!(level, simd => worker.fit_block::<_, 6>(simd, reach.neighbours, points.clone(), found));
-                    let bn = super::knob::bn();
-                    if bn > 0 { dispatch!(level, simd => worker.fit_border::<_, 8>(simd, bn, points, found)); }
-                }
-            }
+        |worker, (block, found): (usize, &mut [Found])| match method {
+            CurvatureMethod::Fast => dispatch!(level, simd => worker.fit_fast(simd, block * BLOCK, found)),
+            CurvatureMethod::Accurate => dispatch!(level, simd => worker.fit_accurately(simd, block * BLOCK, found)),
         },
     );
     found
@@ -80,38 +70,43 @@ struct Patch {
 
 impl Worker<'_> {
     #[inline(always)]
-    fn fit_block<S: Simd, const DEGREE: usize>(
-        &mut self,
-        simd: S,
-        neighbours: usize,
-        points: Range<usize>,
-        found: &mut [Found],
-    ) {
-        let mut solver = Solver::new(simd);
-        for (start, found) in points.step_by(LANES).zip(found.chunks_mut(LANES)) {
-            let patches = self.fit_lanes::<_, DEGREE>(simd, &mut solver, neighbours, start..start + found.len());
-            for (lane, found) in found.iter_mut().enumerate() {
-                let patch = &patches[lane];
-                *found = match Estimate::of(&patch.fits, patch.extent, patch.flattened) {
-                    Some(estimate) => self.finish(&patch.frame, &estimate, start + lane),
-                    None => self.fit_wider::<_, DEGREE>(simd, &mut solver, neighbours, start + lane),
-                };
-            }
-        }
+    fn fit_fast<S: Simd>(&mut self, simd: S, first: usize, found: &mut [Found]) {
+        let points: Vec<usize> = (first..first + found.len()).collect();
+        self.fit_points::<_, 3>(simd, FAST_NEIGHBOURS, &points, first, found);
     }
 
     #[inline(always)]
-    fn fit_border<S: Simd, const DEGREE: usize>(&mut self, simd: S, neighbours: usize, points: Range<usize>, found: &mut [Found]) {
+    fn fit_accurately<S: Simd>(&mut self, simd: S, first: usize, found: &mut [Found]) {
+        let (border, inside): (Vec<usize>, Vec<usize>) =
+            (first..first + found.len()).partition(|&point| self.is_at_border(point));
+        self.fit_points::<_, 6>(simd, NEIGHBOURS, &inside, first, found);
+        self.fit_points::<_, 8>(simd, BORDER_NEIGHBOURS, &border, first, found);
+    }
+
+    /// Whether a point is on the edge of the surface or next to it.
+    fn is_at_border(&self, point: usize) -> bool {
+        let on_edge = |point: usize| self.sheets.flags[point].contains(VertexFlags::BOUNDARY);
+        on_edge(point) || self.sheets.around(point).iter().any(|&next| on_edge(next as usize))
+    }
+
+    /// Fits points of a block that begins with the point `first`.
+    #[inline(always)]
+    fn fit_points<S: Simd, const DEGREE: usize>(
+        &mut self,
+        simd: S,
+        neighbours: usize,
+        points: &[usize],
+        first: usize,
+        found: &mut [Found],
+    ) {
         let mut solver = Solver::new(simd);
-        let first = points.start;
-        for point in points {
-            let near = self.sheets.flags[point].contains(VertexFlags::BOUNDARY) || self.sheets.around(point).iter().any(|&n| self.sheets.flags[n as usize].contains(VertexFlags::BOUNDARY));
-            if near {
-                let patches = self.fit_lanes::<_, DEGREE>(simd, &mut solver, neighbours, point..point + 1);
-                let [Patch { frame, extent, flattened, fits }, ..] = patches;
-                if let Some(estimate) = Estimate::of(&fits, extent, flattened) {
-                    found[point - first] = self.finish(&frame, &estimate, point);
-                }
+        for points in points.chunks(LANES) {
+            let patches = self.fit_lanes::<_, DEGREE>(simd, &mut solver, neighbours, points);
+            for (&point, patch) in points.iter().zip(&patches) {
+                found[point - first] = match Estimate::of(&patch.fits, patch.extent, patch.flattened) {
+                    Some(estimate) => self.finish(&patch.frame, &estimate, point),
+                    None => self.fit_wider::<_, DEGREE>(simd, &mut solver, neighbours, point),
+                };
             }
         }
     }
@@ -123,11 +118,11 @@ impl Worker<'_> {
         simd: S,
         solver: &mut Solver<S>,
         neighbours: usize,
-        points: Range<usize>,
+        points: &[usize],
     ) -> [Patch; LANES] {
         self.samples.reset(neighbours);
         let mut placed = [(Frame::with_normal(DVec3::ZERO, DVec3::Z), [1.0; 2], 0.0); LANES];
-        for (lane, point) in points.enumerate() {
+        for (lane, &point) in points.iter().enumerate() {
             let frame = self.gatherer.gather(point, neighbours);
             placed[lane] = (frame, self.gatherer.extent, self.gatherer.flattened);
             self.samples.fill_lane(lane, &self.gatherer);
@@ -149,7 +144,7 @@ impl Worker<'_> {
         point: usize,
     ) -> Found {
         for growth in GROWTH {
-            let patches = self.fit_lanes::<_, DEGREE>(simd, solver, growth * neighbours, point..point + 1);
+            let patches = self.fit_lanes::<_, DEGREE>(simd, solver, growth * neighbours, &[point]);
             let [Patch { frame, extent, flattened, fits }, ..] = patches;
             if let Some(estimate) = Estimate::of(&fits, extent, flattened) {
                 return self.finish(&frame, &estimate, point);
@@ -158,7 +153,11 @@ impl Worker<'_> {
         let frame = self.gatherer.gather(point, neighbours);
         if self.sheets.normals[point] == DVec3::ZERO {
             let flags = self.sheets.flags[point] | VertexFlags::DEGENERATE;
-            return Found { curvature: VertexCurvature { flags, ..VertexCurvature::UNKNOWN }, noise: None, variance: 0.0 };
+            return Found {
+                curvature: VertexCurvature { flags, ..VertexCurvature::UNKNOWN },
+                noise: None,
+                variance: 0.0,
+            };
         }
         let umbilic = Shape::umbilic(self.gatherer.flattened);
         self.finish(&frame, &Estimate { shape: umbilic, noise: None }, point)

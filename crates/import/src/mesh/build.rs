@@ -52,9 +52,9 @@ impl RawMesh {
             uvs_missing = fill_uvs(&mut uvs, &mesh);
             mesh = mesh.with_uvs(uvs)?;
         }
-        let mut normals_replaced = 0;
+        let mut normals_missing = 0;
         if normals.iter().any(is_usable) {
-            normals_replaced = replace_normals(&mut normals, &mesh);
+            normals_missing = fill_normals(&mut normals, &mesh);
             mesh = mesh.with_normals(normals)?;
         }
         let unit = options.unit.unwrap_or(match format {
@@ -70,7 +70,7 @@ impl RawMesh {
             polygons,
             seam_vertices,
             uvs_missing,
-            normals_replaced,
+            normals_missing,
             ignored,
             buffers,
         };
@@ -78,54 +78,33 @@ impl RawMesh {
     }
 }
 
-/// Which vertices a triangle has.
-fn used(mesh: &Mesh) -> Vec<bool> {
-    let mut used = vec![false; mesh.positions().len()];
-    for &corner in mesh.triangles().iter().flatten() {
-        used[corner as usize] = true;
-    }
-    used
-}
-
 /// (0, 0) where there is none: a triangle of such corners has no area in the texture, which bakers know to handle.
 fn fill_uvs(uvs: &mut [DVec2], mesh: &Mesh) -> u64 {
-    if uvs.iter().all(|uv| !uv.is_nan()) {
-        return 0;
-    }
-    let mut missing = 0;
-    for (uv, is_used) in uvs.iter_mut().zip(used(mesh)).filter(|(uv, _)| uv.is_nan()) {
-        *uv = DVec2::ZERO;
-        missing += u64::from(is_used);
-    }
-    missing
+    fill(uvs, |uv| !uv.is_nan(), DVec2::ZERO, mesh)
+}
+
+/// No length where there is none, or none that points anywhere: such a normal says nothing of hard edges.
+fn fill_normals(normals: &mut [DVec3], mesh: &Mesh) -> u64 {
+    fill(normals, is_usable, DVec3::ZERO, mesh)
 }
 
 fn is_usable(normal: &DVec3) -> bool {
     normal.is_finite() && *normal != DVec3::ZERO
 }
 
-/// The normal of the triangles around a vertex, weighed by area, where it has no usable one; +z where they have none
-/// either.
-fn replace_normals(normals: &mut [DVec3], mesh: &Mesh) -> u64 {
-    let is_missing: Vec<bool> = normals.iter().map(|normal| !is_usable(normal)).collect();
-    if !is_missing.contains(&true) {
+/// Puts `nothing` where a value does not count, and counts the vertices of triangles among them.
+fn fill<T: Copy>(values: &mut [T], counts: impl Fn(&T) -> bool, nothing: T, mesh: &Mesh) -> u64 {
+    if values.iter().all(&counts) {
         return 0;
     }
-    for (normal, _) in normals.iter_mut().zip(&is_missing).filter(|(_, is_missing)| **is_missing) {
-        *normal = DVec3::ZERO;
+    let mut is_used = vec![false; values.len()];
+    for &corner in mesh.triangles().iter().flatten() {
+        is_used[corner as usize] = true;
     }
-    for &triangle in mesh.triangles() {
-        let [a, b, c] = triangle.map(|corner| mesh.positions()[corner as usize]);
-        let normal = (b - a).cross(c - a);
-        for corner in triangle.map(|corner| corner as usize).into_iter().filter(|&corner| is_missing[corner]) {
-            normals[corner] += normal;
-        }
+    let mut missing = 0;
+    for (value, is_used) in values.iter_mut().zip(is_used).filter(|(value, _)| !counts(value)) {
+        *value = nothing;
+        missing += u64::from(is_used);
     }
-    let mut replaced = 0;
-    let marks = is_missing.iter().zip(used(mesh));
-    for (normal, (_, is_used)) in normals.iter_mut().zip(marks).filter(|(_, (is_missing, _))| **is_missing) {
-        *normal = normal.try_normalize().unwrap_or(DVec3::Z);
-        replaced += u64::from(is_used);
-    }
-    replaced
+    missing
 }

@@ -51,8 +51,8 @@ pub struct MeshSourceInfo {
     pub seam_vertices: u64,
     /// Vertices of triangles that have no texture coordinate where others have one; theirs is (0, 0).
     pub uvs_missing: u64,
-    /// Vertices of triangles without a usable normal where others have one; theirs is the mean of their triangles'.
-    pub normals_replaced: u64,
+    /// Vertices of triangles without a usable normal where others have one; theirs has no length and says nothing.
+    pub normals_missing: u64,
     /// Points, lines, curves and faces of fewer than three corners, which are no surface and were left out.
     pub ignored: u64,
     /// Files beside this one that were read, as paths below its folder.
@@ -77,7 +77,12 @@ pub fn decode_mesh(
     options: &MeshOptions,
     read_buffer: &mut dyn FnMut(&str) -> io::Result<Vec<u8>>,
 ) -> Result<ImportedMesh, DecodeError> {
-    let raw = match detect_needed(bytes, MESHES)? {
+    let format = detect_needed(bytes, MESHES)?;
+    if let (Format::Obj | Format::Ply, Some(wanted)) = (format, options.mesh.clone()) {
+        let present = "none (it holds one mesh)".to_owned();
+        return Err(MeshError::NoSuchMesh { format, wanted, present }.into());
+    }
+    let raw = match format {
         Format::Obj => obj::decode(bytes, options)?,
         Format::Ply => ply::decode(bytes, options)?,
         Format::Gltf => gltf::decode(bytes, options, read_buffer)?,

@@ -1,7 +1,7 @@
 //! glTF 2.0: one mesh of the file, all its primitives.
 //!
-//! Own code above `serde_json`, since the `gltf` crate knows no quantised positions and takes the counts of accessors
-//! on trust.
+//! Own code above `serde_json`, since the `gltf` crate reads positions of f32 only, not quantised ones, and multiplies
+//! offsets, strides and counts of a file unchecked.
 //!
 //! Primitives that share the accessors of position, normal and texture coordinate share vertices, too; each distinct
 //! set appends those of its accessors, in file order. Triangles, strips and fans are read; of strips, triangles that
