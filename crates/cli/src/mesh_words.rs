@@ -7,13 +7,13 @@ use crate::console::number;
 /// The file, and where it did not fit a mesh of one row per vertex.
 pub(crate) fn source(mesh: &MeshReport) -> String {
     let MeshReport {
-        source, vertices, triangles, seam_vertices, polygons, uvs_missing, normals_replaced, ignored, ..
+        source, vertices, triangles, seam_vertices, polygons, uvs_missing, normals_missing, ignored, ..
     } = mesh;
     let remarks = said([
         (*seam_vertices, "of the vertices behind the last `v`, for seams"),
         (*polygons, "polygons cut into triangles"),
         (*uvs_missing, "vertices without the texture coordinate that others have"),
-        (*normals_replaced, "vertices without the normal that others have"),
+        (*normals_missing, "vertices without the normal that others have"),
         (*ignored, "points, lines or curves left out"),
     ]);
     let remarks = remarks.map(|remarks| format!(", {remarks}")).unwrap_or_default();

@@ -54,7 +54,7 @@ pub fn generate_mesh(source: &SurfaceSource, unit: LengthUnit) -> Result<MeshInp
             seam_vertices: 0,
             polygons: 0,
             uvs_missing: 0,
-            normals_replaced: 0,
+            normals_missing: 0,
             ignored: 0,
         },
     })
@@ -104,7 +104,7 @@ fn report(path: &Path, unit: LengthUnit, source: &MeshSourceInfo) -> MeshReport 
         seam_vertices: source.seam_vertices,
         polygons: source.polygons,
         uvs_missing: source.uvs_missing,
-        normals_replaced: source.normals_replaced,
+        normals_missing: source.normals_missing,
         ignored: source.ignored,
     }
 }

@@ -94,7 +94,7 @@ pub struct MeshReport {
     /// Vertices of triangles without a texture coordinate, where others have one.
     pub uvs_missing: u64,
     /// Vertices of triangles without a usable normal, where others have one.
-    pub normals_replaced: u64,
+    pub normals_missing: u64,
     /// Points, lines and curves of the file, which were left out.
     pub ignored: u64,
 }
