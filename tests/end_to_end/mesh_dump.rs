@@ -119,3 +119,25 @@ fn a_surface_of_a_recipe_needs_no_mesh_to_be_coloured() {
     let vertices = place.json("inspect saddle.barchan")["sections"][0]["curvature"]["vertices"].clone();
     assert_eq!(json!(mesh.positions().len()), vertices);
 }
+
+#[test]
+fn a_gltf_file_is_known_by_the_buffers_beside_it_and_the_mesh_that_was_named() {
+    let (mut document, mut buffer) = Torus::USUAL.gltf();
+    document["buffers"][0]["uri"] = json!("torus.bin");
+    document["meshes"][0]["name"] = json!("body");
+    let other = json!({ "name": "other", "primitives": document["meshes"][0]["primitives"] });
+    document["meshes"].as_array_mut().unwrap().push(other);
+    let place = Place::with("torus.gltf", document.to_string());
+    place.write("torus.bin", &buffer);
+    let message = place.fails(2, "bake torus.gltf");
+    assert!(message.starts_with("torus.gltf: ") && message.contains("`mesh`") && message.contains("body"), "{message}");
+
+    place.ok("bake torus.gltf --mesh body");
+    let coloured = "dump torus.barchan --format ply --mesh torus.gltf -o coloured.ply";
+    place.ok(coloured);
+    // Another coordinate, and the document as it was.
+    buffer[3] ^= 0x80;
+    place.write("torus.bin", &buffer);
+    let message = place.fails(2, coloured);
+    assert!(message.starts_with("torus.gltf: not the mesh that torus.barchan was baked from: "), "{message}");
+}

@@ -281,7 +281,8 @@ impl Torus {
         bytes
     }
 
-    pub(crate) fn glb(&self) -> Vec<u8> {
+    /// A glTF document, and the buffer that it does not say the place of.
+    pub(crate) fn gltf(&self) -> (Value, Vec<u8>) {
         let (positions, triangles) = (self.positions(), self.triangles());
         let mut buffer: Vec<u8> = positions.as_flattened().iter().flat_map(|number| number.to_le_bytes()).collect();
         let indices_at = buffer.len();
@@ -301,6 +302,11 @@ impl Torus {
             "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 }, "indices": 1 }] }],
             "nodes": [{ "mesh": 0 }], "scenes": [{ "nodes": [0] }], "scene": 0,
         });
+        (json, buffer)
+    }
+
+    pub(crate) fn glb(&self) -> Vec<u8> {
+        let (json, buffer) = self.gltf();
         let mut json = json.to_string().into_bytes();
         json.resize(json.len().next_multiple_of(4), b' ');
         let mut bytes = b"glTF".to_vec();
