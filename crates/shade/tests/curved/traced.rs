@@ -66,13 +66,15 @@ fn a_ridge_on_a_cylinder_shades_up_to_the_angle_of_its_top() {
             let ridge = field((64, 4), Edge::Wrap, |column, _| if column == 32 { height as f32 } else { 0.0 });
             let relief = relief(&ridge);
             let base = Cylinder { radius, hollow, chart: DMat2::from_diagonal(extent(&ridge)) };
-            let shadow = DisplacedShadow::new(&base, &relief, 25.0);
             let uv = uv_of(&ridge, 32.0 - distance, 1.3);
             let (point, top) = (base.point(uv), base.point(uv_of(&ridge, 32.0, 1.3)));
             let line = top.position + top.frame.normal * height - point.position;
             let round = point.frame.along_u.normalize();
             let angle = line.dot(point.frame.normal).atan2(line.dot(round));
             let side = if hollow { -1.0 } else { 1.0 };
+            // In a hollow, the far wall shuts out all light in the end.
+            let reach = if hollow { 1.1 * line.length() } else { f64::INFINITY };
+            let shadow = DisplacedShadow::new(&base, &relief, reach);
             let stored = StoredPoint { slope: height / distance, distance };
             let exact = Correction::Exact.slope(stored, side / radius, 0.0);
             assert!((angle - exact.atan()).abs() < 1e-12, "the exact form is {exact}");
