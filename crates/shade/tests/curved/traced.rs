@@ -1,6 +1,6 @@
 //! The oracle against what is known otherwise.
 
-use barchan_field::{Edge, HeightField, Shape};
+use barchan_field::{Edge, HeightField};
 use barchan_shade::{
     BaseSurface, Correction, Cylinder, DirectionalLight, DisplacedShadow, Patch, Plane, Sphere, SphereChart,
     StoredPoint, Surface, SurfacePoint, TangentFrame, TracedShadow,
@@ -8,7 +8,7 @@ use barchan_shade::{
 use glam::{DMat2, DVec2, DVec3};
 use proptest::prelude::*;
 
-use crate::support::{ball, field, noise, relief, shape, towards};
+use crate::support::{ball, example, field, noise, relief, towards};
 
 fn extent(field: &HeightField) -> DVec2 {
     DVec2::new(field.grid().extent_u(), field.grid().extent_v())
@@ -171,8 +171,7 @@ fn it_agrees_with_fine_triangles_of_the_displaced_ball() {
 
 #[test]
 fn a_patch_that_is_a_ball_has_the_shadows_of_a_ball() {
-    let bumps = Shape::examples().into_iter().find(|shape| shape.name() == "reptile_skin").unwrap();
-    let bumps = shape(bumps, 48);
+    let bumps = example("reptile_skin", 48);
     let relief = relief(&bumps);
     let ball = ball(&bumps, 60.0, SphereChart::Stereographic);
     let patch = Patch::new(|uv| ball.point(uv), (DVec2::splat(-1.5), DVec2::splat(1.5)), (false, false), 24);
