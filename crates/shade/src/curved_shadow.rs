@@ -9,13 +9,23 @@
 //! The horizon's distance jumps between texels, and between azimuths. So each of the four texels around a place, in each of the
 //! two azimuths beside the light's, carries its own points over to the curved surface, from its own height, and no lower than
 //! the surface itself; what is interpolated is the elevation of the result, atan δ′, as [`crate::HorizonShadow`] does: on a
-//! flat surface both agree.
+//! flat surface both agree. Against the oracle, on reptile skin on a ball of κ = 0.015, at places anywhere between texels: of
+//! interpolated elevations 5.9 % of shadows are wrong, of sines 6.2 %, of slopes 6.3 %, and of unit vectors (1, δ′) / √(1 + δ′²),
+//! which a shader has without trigonometry, 5.9 %.
 //!
 //! # Where the surface itself hides things
 //!
 //! Eq 3 is the horizon of the base surface, at a height of 0. No relief is lower than its lowest texel, so the surface
 //! parallel to the base at that height is as solid, and no relief needs to stand on the base for it: the exact methods take
 //! that one. The paper's take the base.
+//!
+//! # Limits
+//!
+//! The curvature at the place stands for that of all the way to the horizon, and the relief for endless. On a convex surface far
+//! points sink, and it does not matter; on a concave one they rise with the square of the distance, and the search radius
+//! of the map decides how far the hollow is taken to go on. On a sheet whose curvature wavers between ±0.006, 9.0 % of shadows are
+//! wrong without a correction, and with three points 8.4, 8.3, 8.7 and 12.8 % for maps of radius 24, 40, 64 and 128: relief
+//! for curved surfaces wants a radius of some of its own periods, and less than the surface's own.
 
 use barchan_asset::{Azimuths, DistanceView, HeightView, HorizonView, SweptDistanceView, SweptHorizonView, TableView};
 
