@@ -3,7 +3,7 @@
 use barchan_field::{Edge, HeightField};
 use barchan_shade::{
     BaseSurface, Correction, Cylinder, DirectionalLight, DisplacedShadow, Patch, Plane, Sphere, SphereChart,
-    StoredPoint, Surface, SurfacePoint, TangentFrame, TracedShadow,
+    StoredPoint, Surface, SurfacePoint, TangentFrame, TracedShadow, geometric_horizon,
 };
 use glam::{DMat2, DVec2, DVec3};
 use proptest::prelude::*;
@@ -81,6 +81,24 @@ fn a_ridge_on_a_cylinder_shades_up_to_the_angle_of_its_top() {
             let at = |angle: f64| shadow.in_shadow(uv, round * angle.cos() + point.frame.normal * angle.sin());
             assert!(at(angle - 1e-7) && !at(angle + 1e-7), "{radius} {hollow} {height} {distance}");
         }
+    }
+}
+
+/// Eq 3, with its sign mended. Texels are coarse beside the ball, so that the ray comes and goes within one step.
+#[test]
+fn from_the_top_of_a_spike_a_ball_goes_on_to_its_own_horizon() {
+    let spike = field((17, 17), Edge::Clamp, |column, row| if (column, row) == (8, 8) { 3.0 } else { 0.0 });
+    let relief = relief(&spike);
+    let ball = Sphere { tile: DVec2::splat(4.0 * 17.0), ..ball(&spike, 15.0, SphereChart::Stereographic) };
+    let shadow = DisplacedShadow::new(&ball, &relief, f64::INFINITY);
+    let (uv, limb) = (uv_of(&spike, 8.0, 8.0), geometric_horizon(1.0 / 15.0, 3.0).atan());
+    let frame = ball.point(uv).frame;
+    let across = frame.along_u.normalize();
+    for k in 0..24 {
+        let (sin, cos) = (0.3 + f64::from(k)).sin_cos();
+        let level = across * cos + frame.normal.cross(across) * sin;
+        let at = |angle: f64| shadow.in_shadow(uv, level * angle.cos() + frame.normal * angle.sin());
+        assert!(at(limb - 1e-6) && !at(limb + 1e-6), "{k}");
     }
 }
 
