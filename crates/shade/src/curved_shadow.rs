@@ -169,24 +169,21 @@ impl CurvedShadow {
         curvature: f64,
     ) -> f64 {
         let ground = Ground { curvature, stretch: light.stretch, lowest: self.lowest };
-        let (heights, _) = self.heights.cell(x, y);
-        let (first, second, weight) = self.azimuths.neighbours(light.azimuth_radians);
+        let (heights, within) = self.heights.cell(x, y);
         let count = (method.points() as usize).min(self.points.len());
         let towards = |direction: u32| {
-            let layers = self.points[..count].iter().map(|layers| &layers[direction as usize]);
-            let mut horizons = [NO_POINT; 4];
-            let mut place = (0.0, 0.0);
-            for layer in layers {
-                let (slopes, within) = layer.slope.cell(x, y);
-                let (distances, _) = layer.distance.cell(x, y);
-                place = within;
+            let mut horizons = [f64::NEG_INFINITY; 4];
+            for layers in &self.points[..count] {
+                let layer = &layers[direction as usize];
+                let ((slopes, _), (distances, _)) = (layer.slope.cell(x, y), layer.distance.cell(x, y));
                 for (tap, horizon) in horizons.iter_mut().enumerate() {
                     let flat = StoredPoint { slope: slopes[tap], distance: distances[tap] };
                     *horizon = horizon.max(ground.horizon(method, flat, heights[tap]));
                 }
             }
-            bilinear(horizons.map(libm::atan), place)
+            bilinear(horizons.map(libm::atan), within)
         };
+        let (first, second, weight) = self.azimuths.neighbours(light.azimuth_radians);
         let elevation = towards(first);
         if weight == 0.0 { elevation } else { elevation + (towards(second) - elevation) * f64::from(weight) }
     }
@@ -199,9 +196,6 @@ impl CurvedShadow {
         light.height * cos < light.level * sin
     }
 }
-
-/// Below whatever a method says.
-const NO_POINT: f64 = f64::NEG_INFINITY;
 
 impl Ground {
     /// The slope of the horizon by one point of a texel, and no lower than the surface.
