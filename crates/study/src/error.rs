@@ -35,6 +35,12 @@ pub enum StudyError {
     /// A file of records cannot be read or written.
     #[error("records: {0}")]
     Records(#[from] ::csv::Error),
+    /// A chart cannot be drawn.
+    #[error("chart: {message}")]
+    Chart {
+        /// What the drawing says.
+        message: String,
+    },
     /// A document has no place for a table.
     #[error("the document has no lines `<!-- {name}:begin -->` and `<!-- {name}:end -->` in this order, once each")]
     Markers {

@@ -20,8 +20,10 @@
 //! it: [`horizon_speed`], [`horizon_accuracy`], [`horizon_shadow`]; how its records read in the docs is in [`report`].
 
 pub mod bandwidth;
+pub mod chart;
 mod clock;
 mod csv;
+pub mod curved_effect;
 mod error;
 pub mod horizon_accuracy;
 pub mod horizon_curvature;
@@ -30,6 +32,7 @@ pub mod horizon_shadow;
 pub mod horizon_speed;
 mod machine;
 pub mod markdown;
+mod reading;
 mod record;
 pub mod report;
 mod runner;
@@ -43,6 +46,7 @@ pub use clock::{Elapsed, Stopwatch};
 pub use csv::RecordFile;
 pub use error::StudyError;
 pub use machine::Machine;
+pub use reading::Reading;
 pub use record::{Item, Norms, Quantity, Record};
 pub use runner::{Observer, Step, Study, run};
 pub use scenes::Scene;

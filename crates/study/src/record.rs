@@ -71,6 +71,9 @@ pub enum Quantity {
     /// Distance to the horizon as a part of the true one; wrong where the point found is not as high as the horizon: see
     /// [`horizon_accuracy`](crate::horizon_accuracy).
     DistanceShare,
+    /// Elevation of the horizon over a curved base, degrees; the wrong share is of a ball that is lit from one side: see
+    /// [`curved_effect`](crate::curved_effect).
+    CurvedElevationDegrees,
     /// Shadow at texel centres: wrong where it is not that of a traced ray. `max` is the wrong share under the worst light.
     ShadowAtCentres,
     /// Shadow anywhere between texel centres, likewise.

@@ -1,9 +1,10 @@
-//! How records read in the docs: one block of markdown per file of records.
+//! How records read in the docs: one block of markdown per file of records, and the charts that belong to it.
 //!
-//! A block is a pure function of the file, so that a document can be checked against it.
+//! Both are pure functions of the file, so that a document can be checked against it.
 
 mod accuracy;
 mod curvature;
+mod effect;
 mod numbers;
 mod promises;
 mod shadow;
@@ -22,11 +23,13 @@ pub enum Block {
     Shadow,
     /// What curved bases do to it: [`horizon_curvature`](crate::horizon_curvature).
     Kappa,
+    /// Where curvature matters: [`curved_effect`](crate::curved_effect).
+    CurvedEffect,
 }
 
 impl Block {
     /// Every block, in the order of the docs.
-    pub const ALL: [Self; 4] = [Self::Bench, Self::Accuracy, Self::Shadow, Self::Kappa];
+    pub const ALL: [Self; 5] = [Self::Bench, Self::Accuracy, Self::Shadow, Self::Kappa, Self::CurvedEffect];
 
     /// The name of the file, without `.csv`, and of the block.
     #[must_use]
@@ -36,6 +39,7 @@ impl Block {
             Self::Accuracy => "accuracy",
             Self::Shadow => "shadow",
             Self::Kappa => "kappa",
+            Self::CurvedEffect => "curved_effect",
         }
     }
 
@@ -45,11 +49,24 @@ impl Block {
     /// A text that is not of this file's columns.
     pub fn render(self, csv: Option<&str>) -> Result<String, StudyError> {
         let Some(csv) = csv else { return Ok("*Not measured yet.*\n".to_owned()) };
-        match self {
-            Self::Bench => Ok(speed::render(&RecordFile::from_csv(csv)?)),
-            Self::Accuracy => Ok(accuracy::render(&RecordFile::from_csv(csv)?)),
-            Self::Shadow => Ok(shadow::render(&RecordFile::from_csv(csv)?)),
-            Self::Kappa => Ok(curvature::render(&RecordFile::from_csv(csv)?)),
+        let file = RecordFile::from_csv(csv)?;
+        Ok(match self {
+            Self::Bench => speed::render(&file),
+            Self::Accuracy => accuracy::render(&file),
+            Self::Shadow => shadow::render(&file),
+            Self::Kappa => curvature::render(&file),
+            Self::CurvedEffect => effect::render(&file),
+        })
+    }
+
+    /// The charts that belong to the block, as SVG, and their names without `.svg`.
+    ///
+    /// # Errors
+    /// As for [`Block::render`].
+    pub fn charts(self, csv: Option<&str>) -> Result<Vec<(&'static str, String)>, StudyError> {
+        match (self, csv) {
+            (Self::CurvedEffect, Some(csv)) => effect::charts(&RecordFile::from_csv(csv)?),
+            _ => Ok(Vec::new()),
         }
     }
 }

@@ -34,6 +34,16 @@ pub(super) fn mean(numbers: &[f64]) -> Option<f64> {
     (!numbers.is_empty()).then(|| numbers.iter().sum::<f64>() / numbers.len() as f64)
 }
 
+/// Each once, in the order of the first.
+pub(super) fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
+    items.into_iter().fold(Vec::new(), |mut known, item| {
+        if !known.contains(&item) {
+            known.push(item);
+        }
+        known
+    })
+}
+
 /// A number in words, or the sign for none.
 pub(super) fn or_none(number: Option<f64>, words: impl Fn(f64) -> String) -> String {
     number.map_or_else(|| NONE.to_owned(), words)
