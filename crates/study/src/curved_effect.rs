@@ -25,24 +25,20 @@
 
 use barchan_bakers::Exec;
 use barchan_bakers::horizon::{Azimuths, BentLayer, HorizonParams, Method};
+use barchan_bakers::swept::CurvatureRange;
 use barchan_bakers::swept::reference::CurvedReference;
-use barchan_bakers::swept::{CurvatureRange, Points, SweptBaker, SweptParams};
 use barchan_field::shapes::{Axis, CylinderBumps};
 use barchan_field::{Edge, Grid, HeightField, LengthUnit, Shape, Spacing};
-use barchan_shade::StoredPoint;
+use barchan_shade::{CurvedMethod, StoredPoint};
 
-use crate::reading::Reading;
 use crate::runner::Study;
-use crate::{Norms, Quantity, Record, Scale, Scene, Setting, StudyError, scenes};
+use crate::{Norms, Quantity, Record, Scale, Scene, Setting, StudyError, points, reading, scenes};
 
 /// Length units along a row of bumps.
 const ROW: f64 = 128.0;
 
 /// The azimuths of the map.
 const AZIMUTHS: u32 = 16;
-
-/// The most points that are read.
-const MOST_POINTS: u32 = 3;
 
 /// The study of some scenes that are looked at in the same way.
 pub struct Effect<'a> {
@@ -139,32 +135,25 @@ impl Effect<'_> {
     /// The points of every place, the flat horizon first.
     fn points(&self, field: &HeightField, places: &[Place]) -> Result<Vec<Vec<StoredPoint>>, StudyError> {
         let range = CurvatureRange { min: 0.0, max: self.curvatures.iter().copied().fold(0.0, f64::max) };
-        let params = SweptParams { range, points: Points::Count(MOST_POINTS) };
-        let mut baker = SweptBaker::new(field, &self.params(), &params, self.exec)?;
-        let bake = |&direction: &u32| -> Result<Vec<BentLayer>, StudyError> {
-            let mut layers = (0..baker.points()).map(|_| BentLayer::new(field)).collect::<Result<Vec<_>, _>>()?;
-            baker.bake_direction(direction, self.exec, &mut layers)?;
-            Ok(layers)
-        };
-        let layers = self.directions.iter().map(bake).collect::<Result<Vec<_>, _>>()?;
+        let layers = points::bake(field, &self.params(), range, self.directions.iter().copied(), self.exec)?;
         let of = |place: &Place| {
             let texel = (place.row * field.grid().width + place.column) as usize;
             let point = |layer: &BentLayer| StoredPoint {
                 slope: f64::from(layer.slope[texel]),
                 distance: f64::from(layer.distance[texel]),
             };
-            layers[place.direction].iter().map(point).collect()
+            layers.iter().map(|directions| point(&directions[place.direction])).collect()
         };
         Ok(places.iter().map(of).collect())
     }
 }
 
 impl Study for Effect<'_> {
-    type Setting = Reading;
+    type Setting = CurvedMethod;
     type Truth = Truth;
 
-    fn settings(&self) -> Vec<Reading> {
-        Reading::ALL.to_vec()
+    fn settings(&self) -> Vec<CurvedMethod> {
+        CurvedMethod::ALL.to_vec()
     }
 
     fn truth(&self, scene: &Scene) -> Result<Truth, StudyError> {
@@ -183,16 +172,16 @@ impl Study for Effect<'_> {
         Ok(Truth { places, points, elevations })
     }
 
-    fn measure(&self, scene: &Scene, truth: &Truth, &reading: &Reading) -> Result<Vec<Record>, StudyError> {
+    fn measure(&self, scene: &Scene, truth: &Truth, &method: &CurvedMethod) -> Result<Vec<Record>, StudyError> {
         let records = self.curvatures.iter().zip(&truth.elevations).map(|(&curvature, expected)| {
             let found: Vec<f64> = truth
                 .points
                 .iter()
                 .zip(&truth.places)
-                .map(|(points, place)| degrees(reading.slope(points, curvature, place.height)))
+                .map(|(points, place)| degrees(reading::slope(method, points, curvature, place.height)))
                 .collect();
             let errors: Vec<f64> = found.iter().zip(expected).map(|(found, expected)| found - expected).collect();
-            let setting = Setting::default().with("curvature", curvature).with("reading", reading.name());
+            let setting = Setting::default().with("curvature", curvature).with("method", method);
             let record = Record::new("curved_effect", setting, scene);
             let record = record.with_norms(Quantity::CurvedElevationDegrees, &Norms::of(&errors));
             Record { wrong_share: Some(wrong_share(&found, expected)), ..record }
@@ -233,22 +222,22 @@ mod tests {
     #[test]
     fn the_effect_grows_with_curvature_and_period_and_the_swept_horizon_mends_it() {
         let records = records();
-        let wrong = |scene: &str, curvature: &str, reading: Reading| {
+        let wrong = |scene: &str, curvature: &str, method: CurvedMethod| {
             let is = |record: &&Record| {
                 record.scene == scene
                     && record.setting.get("curvature") == Some(curvature)
-                    && record.setting.get("reading") == Some(reading.name())
+                    && record.setting.get("method") == Some(method.to_string().as_str())
             };
             records.iter().find(is).and_then(|record| record.wrong_share).unwrap()
         };
-        let flat = |period: u32, curvature| wrong(&format!("bumps of {period}"), curvature, Reading::Flat);
+        let flat = |period: u32, curvature| wrong(&format!("bumps of {period}"), curvature, CurvedMethod::Flat);
         assert!(flat(8, "0.005") < flat(8, "0.02") && flat(32, "0.005") < flat(32, "0.02"));
         assert!(flat(8, "0.02") < 0.5 * flat(32, "0.02"));
-        let swept = wrong("bumps of 32", "0.02", Reading::Exact(3));
+        let swept = wrong("bumps of 32", "0.02", CurvedMethod::Exact(3));
         assert!(swept < 0.1 * flat(32, "0.02"), "{swept}");
-        // On the flat base every reading is right, but for eq 3 as printed.
-        for reading in Reading::ALL.into_iter().filter(|&reading| reading != Reading::PaperAsPrinted) {
-            assert!(wrong("fractal_terrain", "0", reading) < 2e-3, "{}", reading.name());
+        // On the flat base every method is right, but for eq 3 as printed.
+        for method in CurvedMethod::ALL.into_iter().filter(|&method| method != CurvedMethod::PaperAsPrinted) {
+            assert!(wrong("fractal_terrain", "0", method) < 2e-3, "{}", method);
         }
     }
 }

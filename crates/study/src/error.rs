@@ -1,6 +1,7 @@
 use barchan_asset::{DescriptorError, EncodeError};
 use barchan_bakers::BakeError;
 use barchan_field::FieldError;
+use barchan_shade::MismatchedTables;
 use thiserror::Error;
 
 /// Why a study cannot go on.
@@ -26,6 +27,9 @@ pub enum StudyError {
     /// A stored table cannot be read.
     #[error(transparent)]
     Table(#[from] DescriptorError),
+    /// Tables do not fit each other.
+    #[error(transparent)]
+    Tables(#[from] MismatchedTables),
     /// Text is not a setting.
     #[error("`{text}` is not a setting; words like `method=sweep directions=32` are accepted")]
     Setting {

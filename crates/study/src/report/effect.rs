@@ -3,14 +3,15 @@
 use super::numbers::{degrees, distinct, or_none, percent};
 use crate::chart::{Curve, HeatChart, LineChart};
 use crate::markdown::Table;
-use crate::{Reading, Record, RecordFile, StudyError};
+use crate::{Record, RecordFile, StudyError, reading};
+use barchan_shade::CurvedMethod;
 
 /// Bumps are named by their period.
 const BUMPS: &str = "bumps of ";
 
 /// The corrections whose gain is plotted, and the picture of each.
-const GAINS: [(Reading, &str); 2] =
-    [(Reading::Paper, "curved_effect_paper"), (Reading::Exact(3), "curved_effect_swept")];
+const GAINS: [(CurvedMethod, &str); 2] =
+    [(CurvedMethod::Paper, "curved_effect_paper"), (CurvedMethod::Exact(3), "curved_effect_swept")];
 
 /// The pictures of relief of many scales: what is read of a record, its name, what runs up.
 const SCALES: [(fn(&Record) -> Option<f64>, &str, &str); 2] = [
@@ -22,11 +23,11 @@ const SCALES: [(fn(&Record) -> Option<f64>, &str, &str); 2] = [
 const FULL: f64 = 5.0;
 
 pub(super) fn render(file: &RecordFile) -> String {
-    let titles = Reading::ALL.map(|reading| reading.title().to_owned());
+    let titles = CurvedMethod::ALL.map(|method| reading::title(method).to_owned());
     let mut table = Table::new(["fractal terrain, κ".to_owned()].into_iter().chain(titles));
     for curvature in distinct(scales(file).map(curvature)) {
-        let cells = Reading::ALL.map(|reading| {
-            let record = find(scales(file), curvature, reading);
+        let cells = CurvedMethod::ALL.map(|method| {
+            let record = find(scales(file), curvature, method);
             let wrong = or_none(record.and_then(|record| record.wrong_share), percent);
             format!("{wrong}, {}", or_none(record.and_then(|record| record.rms), degrees))
         });
@@ -36,23 +37,22 @@ pub(super) fn render(file: &RecordFile) -> String {
 }
 
 pub(super) fn charts(file: &RecordFile) -> Result<Vec<(&'static str, String)>, StudyError> {
-    let gains = GAINS.map(|(reading, name)| Ok((name, gain(file, reading).svg()?)));
+    let gains = GAINS.map(|(method, name)| Ok((name, gain(file, method).svg()?)));
     let scales = SCALES.map(|(of, name, up)| Ok((name, over_curvature(file, of, up).svg()?)));
     gains.into_iter().chain(scales).collect()
 }
 
 /// What a correction saves: the wrong share without it minus that with it, in percent.
-fn gain(file: &RecordFile, reading: Reading) -> HeatChart {
+fn gain(file: &RecordFile, method: CurvedMethod) -> HeatChart {
     let curvatures = distinct(bumps(file).map(curvature));
     let periods = distinct(bumps(file).map(|record| record.scene.as_str()));
     let cell = |period: &&str, curvature: &&str| {
-        let wrong =
-            |reading| find(bumps(file).filter(|record| record.scene == *period), curvature, reading)?.wrong_share;
-        Some(100.0 * (wrong(Reading::Flat)? - wrong(reading)?))
+        let wrong = |method| find(bumps(file).filter(|record| record.scene == *period), curvature, method)?.wrong_share;
+        Some(100.0 * (wrong(CurvedMethod::Flat)? - wrong(method)?))
     };
     let cells = periods.iter().map(|period| curvatures.iter().map(|curvature| cell(period, curvature)).collect());
     HeatChart {
-        title: format!("Shadows mended, %: {}", reading.title()),
+        title: format!("Shadows mended, %: {}", reading::title(method)),
         cells: cells.collect(),
         across: ("curvature κ of the base, per unit".to_owned(), owned(&curvatures)),
         up: ("period of the bumps, units".to_owned(), periods.iter().map(|name| name.replace(BUMPS, "")).collect()),
@@ -62,15 +62,15 @@ fn gain(file: &RecordFile, reading: Reading) -> HeatChart {
 
 fn over_curvature(file: &RecordFile, of: fn(&Record) -> Option<f64>, up: &str) -> LineChart {
     let curvatures = distinct(scales(file).map(curvature));
-    let curve = |reading: Reading| {
-        let point = |curvature: &&str| Some((curvature.parse().ok()?, of(find(scales(file), curvature, reading)?)?));
-        Curve { name: reading.title().to_owned(), points: curvatures.iter().filter_map(point).collect() }
+    let curve = |method: CurvedMethod| {
+        let point = |curvature: &&str| Some((curvature.parse().ok()?, of(find(scales(file), curvature, method)?)?));
+        Curve { name: reading::title(method).to_owned(), points: curvatures.iter().filter_map(point).collect() }
     };
     LineChart {
         title: "Fractal terrain on a curved base".to_owned(),
         across: "curvature κ of the base, per unit".to_owned(),
         up: up.to_owned(),
-        curves: Reading::ALL.into_iter().map(curve).collect(),
+        curves: CurvedMethod::ALL.into_iter().map(curve).collect(),
     }
 }
 
@@ -86,8 +86,9 @@ fn curvature(record: &Record) -> &str {
     record.setting.get("curvature").unwrap_or_default()
 }
 
-fn find<'a>(mut records: impl Iterator<Item = &'a Record>, kappa: &str, reading: Reading) -> Option<&'a Record> {
-    records.find(|record| curvature(record) == kappa && record.setting.get("reading") == Some(reading.name()))
+fn find<'a>(mut records: impl Iterator<Item = &'a Record>, kappa: &str, method: CurvedMethod) -> Option<&'a Record> {
+    records
+        .find(|record| curvature(record) == kappa && record.setting.get("method") == Some(method.to_string().as_str()))
 }
 
 fn owned(words: &[&str]) -> Vec<String> {
@@ -98,10 +99,10 @@ fn owned(words: &[&str]) -> Vec<String> {
 mod tests {
     use super::*;
 
-    fn record(scene: &str, curvature: f64, reading: Reading, wrong_share: f64) -> Record {
+    fn record(scene: &str, curvature: f64, method: CurvedMethod, wrong_share: f64) -> Record {
         Record {
             scene: scene.to_owned(),
-            setting: format!("curvature={curvature} reading={}", reading.name()).parse().unwrap(),
+            setting: format!("curvature={curvature} method={method}").parse().unwrap(),
             wrong_share: Some(wrong_share),
             rms: Some(2.0),
             ..Record::default()
@@ -110,10 +111,10 @@ mod tests {
 
     fn file() -> RecordFile {
         let records = vec![
-            record("bumps of 8", 0.01, Reading::Flat, 0.25),
-            record("bumps of 8", 0.01, Reading::Exact(3), 0.05),
-            record("fractal_terrain", 0.01, Reading::Flat, 0.1),
-            record("fractal_terrain", 0.01, Reading::Paper, 0.2),
+            record("bumps of 8", 0.01, CurvedMethod::Flat, 0.25),
+            record("bumps of 8", 0.01, CurvedMethod::Exact(3), 0.05),
+            record("fractal_terrain", 0.01, CurvedMethod::Flat, 0.1),
+            record("fractal_terrain", 0.01, CurvedMethod::Paper, 0.2),
         ];
         RecordFile { machine: String::new(), records }
     }
@@ -127,9 +128,9 @@ mod tests {
 
     #[test]
     fn a_gain_is_the_difference_in_percent_and_what_is_missing_stays_empty() {
-        assert_eq!(gain(&file(), Reading::Exact(3)).cells, [[Some(20.0)]]);
-        assert_eq!(gain(&file(), Reading::Paper).cells, [[None]]);
-        assert_eq!(gain(&file(), Reading::Paper).up.1, ["8"]);
+        assert_eq!(gain(&file(), CurvedMethod::Exact(3)).cells, [[Some(20.0)]]);
+        assert_eq!(gain(&file(), CurvedMethod::Paper).cells, [[None]]);
+        assert_eq!(gain(&file(), CurvedMethod::Paper).up.1, ["8"]);
     }
 
     #[test]
