@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-/// Why a set of samples is not a height field. Whoever supplied the value named in the message must act.
+/// Why numbers are not a height field, a mesh or a surface. Whoever supplied the value named in the message must act.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FieldError {
     /// Width or height is zero.
@@ -50,7 +50,7 @@ pub enum FieldError {
     /// A shape's parameter is out of range.
     #[error("{shape}: {name} is {value}; {accepted} is needed")]
     Parameter {
-        /// The shape's name, as [`crate::Shape::name`] gives it.
+        /// The name of the shape or surface, as [`crate::Shape::name`] gives it.
         shape: &'static str,
         /// The parameter's name, as in recipes.
         name: &'static str,
@@ -100,5 +100,15 @@ pub enum FieldError {
         attribute: &'static str,
         /// The first such vertex, counted from 0.
         vertex: u64,
+    },
+    /// A tessellation is too coarse for the surface.
+    #[error(
+        "{surface}: {vertices} vertices in this pattern do not make a sound mesh; more of them or shorter triangles would be accepted"
+    )]
+    Tessellation {
+        /// The surface's name, as [`crate::ParametricSurface::name`] gives it.
+        surface: &'static str,
+        /// How many vertices were asked for.
+        vertices: u32,
     },
 }

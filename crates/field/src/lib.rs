@@ -22,9 +22,11 @@ mod grid;
 mod height_field;
 mod mesh;
 pub mod shapes;
+pub mod surfaces;
 
 pub use error::FieldError;
 pub use grid::{Edge, Grid, LengthUnit, Spacing};
 pub use height_field::HeightField;
 pub use mesh::Mesh;
 pub use shapes::Shape;
+pub use surfaces::ParametricSurface;

@@ -5,11 +5,11 @@ use std::ops::RangeInclusive;
 use crate::FieldError;
 
 /// Refusals for one shape.
-pub(super) struct Check(pub(super) &'static str);
+pub(crate) struct Check(pub(crate) &'static str);
 
 impl Check {
     /// `value` must lie in `range`; a NaN never does.
-    pub(super) fn within(
+    pub(crate) fn within(
         &self,
         name: &'static str,
         value: f64,
@@ -44,7 +44,7 @@ impl Check {
         self.within(name, f64::from(value), 1.0..=65536.0, "a count from 1 to 65536")
     }
 
-    pub(super) fn refusal(&self, name: &'static str, value: f64, accepted: &'static str) -> FieldError {
+    pub(crate) fn refusal(&self, name: &'static str, value: f64, accepted: &'static str) -> FieldError {
         FieldError::Parameter { shape: self.0, name, value, accepted }
     }
 }

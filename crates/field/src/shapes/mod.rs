@@ -24,13 +24,13 @@
 //! Each parameter set is a struct of its own. With RON's `unwrap_variant_newtypes` extension a shape reads
 //! `Dunes(dune_height: 24.0, dunes_across: 2, ripple_height: 0.6, ripples_across: 48, seed: 7)`. Unknown fields are refused.
 
-mod check;
+pub(crate) mod check;
 mod crests;
 mod cylinder_bumps;
 mod dunes;
 mod features;
 mod fractal_terrain;
-mod noise;
+pub(crate) mod noise;
 mod reptile_skin;
 mod ripples;
 #[cfg(test)]

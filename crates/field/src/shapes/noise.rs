@@ -9,7 +9,7 @@
 /// One stream of hashed numbers per seed (SplitMix64's finaliser; Steele, Lea, Flood: *Fast Splittable Pseudorandom
 /// Number Generators*, 2014).
 #[inline]
-pub(super) fn hash(seed: u64, i: i64, j: i64) -> u64 {
+pub(crate) fn hash(seed: u64, i: i64, j: i64) -> u64 {
     let i = (i as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let j = (j as u64).wrapping_mul(0xd1b5_4a32_d192_ed03);
     mix(mix(seed ^ i).wrapping_add(j))
