@@ -20,7 +20,7 @@ use barchan_import::{HeightMapOptions, Integers, read_height_map};
 use barchan_study::bandwidth::{self, Bandwidth};
 use barchan_study::report::Block;
 use barchan_study::{
-    Machine, Record, RecordFile, Scale, Scene, Step, curved_effect, horizon_accuracy, horizon_curvature,
+    Machine, Record, RecordFile, Scale, Scene, Step, curved_effect, curved_shadow, horizon_accuracy, horizon_curvature,
     horizon_shadow, horizon_speed, markdown, run,
 };
 use clap::{Parser, Subcommand};
@@ -105,6 +105,7 @@ fn records(block: Block, scale: Scale, cores: usize) -> Result<Vec<Record>> {
         Block::Shadow => shadow(scale, cores),
         Block::Kappa => curvature(scale, cores),
         Block::CurvedEffect => effect(scale, cores),
+        Block::CurvedShadow => curved_shadows(scale, cores),
     }
 }
 
@@ -160,6 +161,12 @@ fn effect(scale: Scale, cores: usize) -> Result<Vec<Record>> {
         records.extend(run(&study, &scenes, &mut announce)?);
     }
     Ok(records)
+}
+
+fn curved_shadows(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    let (study, figures) = curved_shadow::parts(scale, &exec)?;
+    Ok(curved_shadow::measure(&study, &figures, &mut announce)?)
 }
 
 /// Real terrain, as `samples/jacksboro.ron` describes it; a quick run does without.

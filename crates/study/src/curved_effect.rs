@@ -195,7 +195,7 @@ fn degrees(slope: f64) -> f64 {
 }
 
 /// The part of a ball whose shadow is wrong, by elevations in degrees.
-fn wrong_share(found: &[f64], expected: &[f64]) -> f64 {
+pub(crate) fn wrong_share(found: &[f64], expected: &[f64]) -> f64 {
     let sin = |degrees: f64| libm::sin(degrees.to_radians());
     let wrong: f64 =
         found.iter().zip(expected).map(|(found, expected)| 0.5 * (sin(*found) - sin(*expected)).abs()).sum();

@@ -24,7 +24,9 @@ pub mod chart;
 mod clock;
 mod csv;
 pub mod curved_effect;
+pub mod curved_shadow;
 mod error;
+pub mod figures;
 pub mod horizon_accuracy;
 pub mod horizon_curvature;
 mod horizon_point;
@@ -42,6 +44,7 @@ pub mod scenes;
 mod setting;
 mod tables;
 pub mod timer;
+pub mod triangle_forms;
 
 pub use clock::{Elapsed, Stopwatch};
 pub use csv::RecordFile;

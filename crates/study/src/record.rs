@@ -78,6 +78,8 @@ pub enum Quantity {
     ShadowAtCentres,
     /// Shadow anywhere between texel centres, likewise.
     ShadowBetweenCentres,
+    /// The part of places that the sun reaches, 0 … 1: `mean`.
+    LitShare,
 }
 
 /// What a time is divided by.

@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod curvature;
+mod curved;
 mod effect;
 mod numbers;
 mod promises;
@@ -25,11 +26,14 @@ pub enum Block {
     Kappa,
     /// Where curvature matters: [`curved_effect`](crate::curved_effect).
     CurvedEffect,
+    /// What the shader decides on curved surfaces: [`curved_shadow`](crate::curved_shadow).
+    CurvedShadow,
 }
 
 impl Block {
     /// Every block, in the order of the docs.
-    pub const ALL: [Self; 5] = [Self::Bench, Self::Accuracy, Self::Shadow, Self::Kappa, Self::CurvedEffect];
+    pub const ALL: [Self; 6] =
+        [Self::Bench, Self::Accuracy, Self::Shadow, Self::Kappa, Self::CurvedEffect, Self::CurvedShadow];
 
     /// The name of the file, without `.csv`, and of the block.
     #[must_use]
@@ -40,6 +44,7 @@ impl Block {
             Self::Shadow => "shadow",
             Self::Kappa => "kappa",
             Self::CurvedEffect => "curved_effect",
+            Self::CurvedShadow => "curved_shadow",
         }
     }
 
@@ -56,6 +61,7 @@ impl Block {
             Self::Shadow => shadow::render(&file),
             Self::Kappa => curvature::render(&file),
             Self::CurvedEffect => effect::render(&file),
+            Self::CurvedShadow => curved::render(&file),
         })
     }
 
