@@ -50,9 +50,6 @@ use crate::{Item, Norms, Quantity, Record, Scale, Setting, StudyError, points, t
 /// Elevations of the suns above the base's tangent plane, degrees.
 const ELEVATIONS: [f64; 9] = [-20.0, -10.0, -5.0, 0.0, 5.0, 10.0, 20.0, 30.0, 45.0];
 
-/// How far horizons are searched, in length units: a tile of the cylinders.
-const RADIUS: f64 = 128.0;
-
 /// How often the range of elevations is halved.
 const HALVINGS: u32 = 15;
 
@@ -141,10 +138,10 @@ impl Shadows<'_> {
     fn tables(&self, figure: &Figure) -> Result<Tables, StudyError> {
         let (field, range) = (&figure.relief.field, figure.range);
         let azimuths = Azimuths::full_circle(figure.directions);
-        let params = HorizonParams { azimuths, radius: RADIUS, distance: true, method: Method::default() };
+        let params = HorizonParams { azimuths, radius: figure.radius, distance: true, method: Method::default() };
         let baked = points::bake(field, &params, range, 0..figure.directions, self.exec)?;
         let sweep = CurvatureSweep { candidates: MOST_POINTS - 1, curvature_min: range.min, curvature_max: range.max };
-        let stored = StoredPoints::new(field.grid(), RADIUS, sweep, &baked, Encoding::Compact)?;
+        let stored = StoredPoints::new(field.grid(), figure.radius, sweep, &baked, Encoding::Compact)?;
         Ok(Tables {
             surface: tables::surface(field)?,
             shadow: stored.curved_shadow(field)?,

@@ -9,9 +9,15 @@
 //! # What is ours
 //!
 //! The paper gives no heights, no patch and no dunes. A texel is one length unit long where the texture lies unstretched: at
-//! the equator of a sphere, about everywhere on the patch and on the dunes. On a sphere u is longitude, and its seam is
-//! behind. The patch is convex, and saddle-shaped towards its corners. Dunes come twice: as a curved base that wears
-//! ripples, which is what the paper shows, and as relief, ripples and slip faces and all, on a wide swell.
+//! the equator of a sphere, about everywhere on patches. On a sphere u is longitude, and its seam is behind. The patch is
+//! convex in its middle and saddle-shaped towards its corners. The paper's dunes are bases that wear ripples; here they are
+//! relief as well, ripples and slip faces and all.
+//!
+//! # What no table knows
+//!
+//! A table is of the relief, and takes the base to bend on as it does at the texel. The *swell* is a base whose curvature
+//! changes sign every 64 units and whose crests shade its troughs: no method sees that, and the wider a table searches, the
+//! more a hollow is mistaken for a bowl. It is the limit of them all, shown beside the figures.
 
 use barchan_bakers::swept::CurvatureRange;
 use barchan_field::shapes::{Axis, CylinderBumps, Dunes, ReptileSkin, RipplePattern, Ripples};
@@ -26,6 +32,15 @@ use crate::{Scale, Scene, StudyError, scenes};
 /// Cells of a patch each way, of two triangles each.
 const CELLS: u32 = 16;
 
+/// How far horizons are searched where nothing speaks against it, in length units: a tile of the cylinders.
+const WIDE: f64 = 128.0;
+
+/// Likewise where ripples are fine and bases bend differently a little farther on.
+const NARROW: f64 = 32.0;
+
+/// Azimuths of the maps of patches.
+const PATCH_DIRECTIONS: u32 = 16;
+
 /// Parts of a patch at whose corners its curvatures are looked up.
 const STEPS: u32 = 32;
 
@@ -35,6 +50,8 @@ pub struct Figure {
     pub relief: Scene,
     /// Azimuths of the map.
     pub directions: u32,
+    /// How far horizons are searched, in length units.
+    pub radius: f64,
     /// What the relief stands on, (u, v) counting tiles of it.
     pub base: Box<dyn BaseSurface>,
     /// The part of (u, v) that is looked at.
@@ -43,8 +60,6 @@ pub struct Figure {
     pub range: CurvatureRange,
     /// What a run time has of the base's forms; `None` on spheres, where interpolation costs nothing.
     pub forms: Option<TriangleForms>,
-    /// What the paper's tables weigh, in bytes, where it says so.
-    pub paper_bytes: Option<u64>,
 }
 
 impl Figure {
@@ -85,12 +100,13 @@ pub fn all(scale: Scale) -> Result<Vec<Figure>, StudyError> {
     let relief = |name: &str, shape: &Shape, side: u32| relief(name, shape, side, coarser);
     let swell = ParametricSurface::WavySheet { amplitude: 14.0, wavelength: 256.0, size: 256.0 };
     Ok(vec![
-        on_sphere(relief("4: cylinders on a sphere, κ .015", &cylinders, 128)?, 32, 0.015, Some(1_000_000)),
-        on_sphere(relief("5: cylinders on a sphere, κ .005", &cylinders, 128)?, 32, 0.005, Some(1_000_000)),
-        on_sphere(relief("6: reptile skin on a sphere, κ .015", &skin, 256)?, 16, 0.015, Some(2_200_000)),
-        on_patch(relief("7: reptile skin on a Bézier patch", &skin, 256)?, 16, bezier(), Some(2_200_000)),
-        on_patch(relief("8: ripples on a swell", &ripples, 256)?, 16, swell, None),
-        on_patch(relief("9: rippled dunes on a swell", &dunes, 256)?, 16, swell, None),
+        on_sphere(relief("4: cylinders on a sphere, κ .015", &cylinders, 128)?, 32, 0.015),
+        on_sphere(relief("5: cylinders on a sphere, κ .005", &cylinders, 128)?, 32, 0.005),
+        on_sphere(relief("6: reptile skin on a sphere, κ .015", &skin, 256)?, 16, 0.015),
+        on_patch(relief("7: reptile skin on a Bézier patch", &skin, 256)?, WIDE, bezier()),
+        on_patch(relief("8: wind ripples on a Bézier patch", &ripples, 256)?, NARROW, bezier()),
+        on_patch(relief("9: rippled dunes on a Bézier patch", &dunes, 256)?, WIDE, bezier()),
+        on_patch(relief("wind ripples on a swell", &ripples, 256)?, NARROW, swell),
     ])
 }
 
@@ -107,7 +123,7 @@ fn relief(name: &str, shape: &Shape, side: u32, coarser: u32) -> Result<Scene, S
 }
 
 /// Between 45° south and north, all round.
-fn on_sphere(relief: Scene, directions: u32, curvature: f64, paper_bytes: Option<u64>) -> Figure {
+fn on_sphere(relief: Scene, directions: u32, curvature: f64) -> Figure {
     let grid = relief.field.grid();
     let tile = DVec2::new(grid.extent_u(), grid.extent_v());
     let sphere = Sphere { radius: 1.0 / curvature, hollow: false, chart: SphereChart::Geographic, tile };
@@ -115,16 +131,16 @@ fn on_sphere(relief: Scene, directions: u32, curvature: f64, paper_bytes: Option
     Figure {
         relief,
         directions,
+        radius: WIDE,
         base: Box::new(sphere),
         part: (-corner, corner),
         range: CurvatureRange { min: 0.0, max: curvature },
         forms: None,
-        paper_bytes,
     }
 }
 
 /// All of a patch but a rim, from whose bumps shadows fall over the edge.
-fn on_patch(relief: Scene, directions: u32, surface: ParametricSurface, paper_bytes: Option<u64>) -> Figure {
+fn on_patch(relief: Scene, radius: f64, surface: ParametricSurface) -> Figure {
     let point = move |uv: DVec2| {
         let jet = surface.jet(uv.x, uv.y);
         let frame = TangentFrame { along_u: jet.du, along_v: jet.dv, normal: jet.normal() };
@@ -136,12 +152,12 @@ fn on_patch(relief: Scene, directions: u32, surface: ParametricSurface, paper_by
     };
     Figure {
         relief,
-        directions,
+        directions: PATCH_DIRECTIONS,
+        radius,
         base: Box::new(Patch::new(point, (DVec2::ZERO, DVec2::ONE), (false, false), 2 * CELLS)),
         part: (DVec2::splat(0.05), DVec2::splat(0.95)),
         range: range(&surface),
         forms: Some(TriangleForms::new(CELLS, forms)),
-        paper_bytes,
     }
 }
 
