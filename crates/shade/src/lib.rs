@@ -9,7 +9,9 @@
 //! from the centre of texel (0, 0): `x` counts columns, `y` rows downwards, so texel centres are whole numbers.
 
 mod base;
+mod camera;
 mod curved;
+mod curved_picture;
 mod curved_shadow;
 mod forms;
 mod horizon;
@@ -25,10 +27,12 @@ mod texture;
 mod traced;
 
 pub use base::{BaseSurface, Cylinder, Foot, Patch, Plane, Ray, Sphere, SphereChart, SurfacePoint};
+pub use camera::{Camera, Lens};
 pub use curved::{
     CLOSED, Correction, NO_HORIZON, StoredPoint, curved_horizon, geometric_horizon, geometric_horizon_as_printed,
     paper_horizon,
 };
+pub use curved_picture::CurvedPixels;
 pub use curved_shadow::{CurvedMethod, CurvedShadow, MismatchedTables};
 pub use forms::FundamentalForms;
 pub use horizon::HorizonShadow;

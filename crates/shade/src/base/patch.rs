@@ -72,7 +72,7 @@ impl<P: Fn(DVec2) -> SurfacePoint> Patch<P> {
     fn descend(&self, position: DVec3, start: DVec2) -> (DVec2, bool) {
         let (mut uv, mut outside) = self.within(start);
         let forms = self.forms(uv);
-        let resolution = 1e-15 * (self.max - self.min).abs();
+        let resolution = 1e-13 * (self.max - self.min).abs();
         for _ in 0..STEPS {
             let SurfacePoint { position: foot, frame } = (self.point)(uv);
             let away = position - foot;

@@ -2,5 +2,8 @@
 
 mod bases;
 mod forms;
+mod picture;
+mod shadow;
 mod support;
+mod tangent;
 mod traced;

@@ -8,6 +8,7 @@ use barchan_asset::{
 use barchan_bakers::Exec;
 use barchan_bakers::horizon::{Azimuths, BentLayer, HorizonParams, Method, bake_bent};
 use barchan_bakers::swept::{CurvatureRange, Points, SweptBaker, SweptParams};
+use barchan_field::shapes::{Axis, CylinderBumps};
 use barchan_field::{Edge, Grid, HeightField, Shape, Spacing};
 use barchan_shade::{CurvedShadow, Sphere, SphereChart, Surface};
 use glam::{DVec2, DVec3};
@@ -127,6 +128,23 @@ fn values<'a>(layers: impl Iterator<Item = &'a BentLayer>) -> (Vec<f32>, Vec<f32
         distances.extend_from_slice(&layer.distance);
     }
     (elevations, distances)
+}
+
+/// Half-cylinders side by side, as in figure 4 of the paper: `rows` across a tile of `size` texels of length 1.
+pub(crate) fn cylinder_bumps(size: u32, rows: u32) -> HeightField {
+    let height = 0.5 * f64::from(size) / f64::from(rows);
+    let bumps = CylinderBumps { height, rows, coverage: 1.0, across: Axis::U };
+    shape(Shape::CylinderBumps(bumps), size)
+}
+
+pub(crate) fn example(name: &str, size: u32) -> HeightField {
+    shape(Shape::examples().into_iter().find(|shape| shape.name() == name).unwrap(), size)
+}
+
+/// Texture coordinates of a texel's centre.
+pub(crate) fn centre(field: &HeightField, column: u32, row: u32) -> DVec2 {
+    let (column, row) = (f64::from(column) + 0.5, f64::from(row) + 0.5);
+    DVec2::new(column / f64::from(field.grid().width), 1.0 - row / f64::from(field.grid().height))
 }
 
 /// A ball whose texture is that of `field` in its own lengths at (0, 0).
