@@ -5,6 +5,7 @@
 //! cargo run --release -p barchan-study --example study -- measure [--quick] [--only bench,accuracy]
 //! cargo run -p barchan-study --example study -- render
 //! cargo run -p barchan-study --example study -- check
+//! cargo run --release -p barchan-study --example study -- pictures
 //! ```
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program for the terminal")]
@@ -20,8 +21,8 @@ use barchan_import::{HeightMapOptions, Integers, read_height_map};
 use barchan_study::bandwidth::{self, Bandwidth};
 use barchan_study::report::Block;
 use barchan_study::{
-    Machine, Record, RecordFile, Scale, Scene, Step, curved_effect, curved_shadow, horizon_accuracy, horizon_curvature,
-    horizon_shadow, horizon_speed, markdown, run,
+    Machine, Record, RecordFile, Scale, Scene, Step, curved_effect, curved_pictures, curved_shadow, horizon_accuracy,
+    horizon_curvature, horizon_shadow, horizon_speed, markdown, run,
 };
 use clap::{Parser, Subcommand};
 
@@ -29,8 +30,8 @@ use clap::{Parser, Subcommand};
 const RECORDS: &str = "crates/study/records";
 /// Where a quick run leaves its own, which are worth nothing.
 const QUICK_RECORDS: &str = "target/study";
-/// Where the charts are that the document shows.
-const CHARTS: &str = "samples/gallery";
+/// Where the charts and the pictures are that the document shows.
+const GALLERY: &str = "samples/gallery";
 /// The document whose blocks are filled.
 const DOCUMENT: &str = "README.md";
 
@@ -56,6 +57,8 @@ enum Task {
     Render,
     /// Fail if the README's tables or the charts are not those of the records
     Check,
+    /// Draw the figures of curved surfaces into the gallery
+    Pictures,
 }
 
 fn main() -> ExitCode {
@@ -64,6 +67,7 @@ fn main() -> ExitCode {
         Task::Measure { quick: false, only } => measure(Scale::Full, &only).and_then(|()| render()),
         Task::Render => render(),
         Task::Check => check(),
+        Task::Pictures => pictures(),
     };
     if let Err(error) = done {
         eprintln!("study: {error:#}");
@@ -209,9 +213,20 @@ fn render() -> Result<()> {
     for block in Block::ALL {
         let csv = recorded(block)?;
         text = markdown::with_block(&text, block.name(), &block.render(csv.as_deref())?)?;
-        write_charts(block, csv.as_deref(), &root().join(CHARTS))?;
+        write_charts(block, csv.as_deref(), &root().join(GALLERY))?;
     }
     write(&path, &text)
+}
+
+fn pictures() -> Result<()> {
+    let exec = Exec::new(0)?;
+    for (name, picture) in curved_pictures::draw(Scale::Full, &exec, &mut announce)? {
+        let path = root().join(GALLERY).join(name).with_extension("png");
+        let format = image::ExtendedColorType::Rgb8;
+        image::save_buffer(&path, &picture.rgb, picture.width, picture.height, format)
+            .with_context(|| format!("{} cannot be written", path.display()))?;
+    }
+    Ok(())
 }
 
 fn check() -> Result<()> {
@@ -223,7 +238,7 @@ fn check() -> Result<()> {
             stale.push(format!("{DOCUMENT}'s {}", block.name()));
         }
         for (name, svg) in block.charts(csv.as_deref())? {
-            let path = Path::new(CHARTS).join(name).with_extension("svg");
+            let path = Path::new(GALLERY).join(name).with_extension("svg");
             if read(&root().join(&path))?.as_deref() != Some(svg.as_str()) {
                 stale.push(path.display().to_string());
             }

@@ -94,9 +94,9 @@ struct Truth {
 }
 
 /// What a run time has of a figure.
-struct Tables {
-    surface: Surface,
-    shadow: CurvedShadow,
+pub(crate) struct Tables {
+    pub(crate) surface: Surface,
+    pub(crate) shadow: CurvedShadow,
     /// Of heights, and of each further point.
     bytes: (u64, u64),
 }
@@ -121,7 +121,7 @@ pub fn measure(study: &Shadows<'_>, figures: &[Figure], observe: &mut Observer<'
     let mut records = Vec::new();
     for (done, figure) in figures.iter().enumerate() {
         observe(&Step { done, total: figures.len(), what: &figure.relief.name });
-        let tables = study.tables(figure)?;
+        let tables = tables(figure, study.exec)?;
         let truths = [Kind::Centres, Kind::Anywhere].map(|kind| study.truth(figure, &tables.surface, kind));
         for truth in &truths {
             records.extend(truth.lit(figure));
@@ -134,21 +134,22 @@ pub fn measure(study: &Shadows<'_>, figures: &[Figure], observe: &mut Observer<'
     Ok(records)
 }
 
-impl Shadows<'_> {
-    fn tables(&self, figure: &Figure) -> Result<Tables, StudyError> {
-        let (field, range) = (&figure.relief.field, figure.range);
-        let azimuths = Azimuths::full_circle(figure.directions);
-        let params = HorizonParams { azimuths, radius: figure.radius, distance: true, method: Method::default() };
-        let baked = points::bake(field, &params, range, 0..figure.directions, self.exec)?;
-        let sweep = CurvatureSweep { candidates: MOST_POINTS - 1, curvature_min: range.min, curvature_max: range.max };
-        let stored = StoredPoints::new(field.grid(), figure.radius, sweep, &baked, Encoding::Compact)?;
-        Ok(Tables {
-            surface: tables::surface(field)?,
-            shadow: stored.curved_shadow(field)?,
-            bytes: (field.grid().texels() as u64, stored.bytes() / u64::from(MOST_POINTS)),
-        })
-    }
+/// The tables of a figure, as a file stores them.
+pub(crate) fn tables(figure: &Figure, exec: &Exec<'_>) -> Result<Tables, StudyError> {
+    let (field, range) = (&figure.relief.field, figure.range);
+    let azimuths = Azimuths::full_circle(figure.directions);
+    let params = HorizonParams { azimuths, radius: figure.radius, distance: true, method: Method::default() };
+    let baked = points::bake(field, &params, range, 0..figure.directions, exec)?;
+    let sweep = CurvatureSweep { candidates: MOST_POINTS - 1, curvature_min: range.min, curvature_max: range.max };
+    let stored = StoredPoints::new(field.grid(), figure.radius, sweep, &baked, Encoding::Compact)?;
+    Ok(Tables {
+        surface: tables::surface(field)?,
+        shadow: stored.curved_shadow(field)?,
+        bytes: (field.grid().texels() as u64, stored.bytes() / u64::from(MOST_POINTS)),
+    })
+}
 
+impl Shadows<'_> {
     fn truth(&self, figure: &Figure, surface: &Surface, kind: Kind) -> Truth {
         let oracle = DisplacedShadow::new(&*figure.base, surface, f64::INFINITY);
         let views: Vec<View> = (0..self.places).map(|index| kind.view(figure, surface, index)).collect();

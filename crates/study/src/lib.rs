@@ -24,6 +24,7 @@ pub mod chart;
 mod clock;
 mod csv;
 pub mod curved_effect;
+pub mod curved_pictures;
 pub mod curved_shadow;
 mod error;
 pub mod figures;
