@@ -19,8 +19,7 @@ use crate::{BakeError, Exec};
 /// Parameters out of range.
 pub fn bake(mesh: &Mesh, params: &CurvatureParams, exec: &Exec) -> Result<MeshCurvature, BakeError> {
     params.check()?;
-    let sheets = sheets::Sheets::of(mesh, params.hard_edge_degrees);
-    let _ = exec;
+    let sheets = sheets::Sheets::of(mesh, params.hard_edge_degrees, exec);
     Ok(MeshCurvature {
         vertices: vec![VertexCurvature::UNKNOWN; mesh.positions().len()],
         report: sheets.report,

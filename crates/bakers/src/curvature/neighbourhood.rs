@@ -1,0 +1,141 @@
+//! The points around a point, nearest first come.
+//!
+//! Points are found along edges, ring by ring, so that two sides of a thin shell never meet; of what is found the nearest are kept. Where
+//! triangles are long and thin in one direction, near means near in the neighbourhood's own ellipse: else all would lie on one line.
+
+use glam::DVec3;
+
+use super::frame::Frame;
+use super::sheets::Sheets;
+
+/// How much wider than high a neighbourhood must be before distances are measured in its own ellipse.
+const ELONGATED: f64 = 3.0;
+/// How many neighbours of one point are followed: a hub of a fan has 100 000.
+const MAX_FOLLOWED: usize = 64;
+
+/// A neighbour in the frame of the centre, in lengths.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Neighbour {
+    pub(super) x: f64,
+    pub(super) y: f64,
+    pub(super) z: f64,
+    /// (x, y) in units of the neighbourhood's ellipse, squared.
+    pub(super) squared_distance: f64,
+}
+
+/// Finds neighbourhoods; keeps its memory from one to the next.
+#[derive(Debug)]
+pub(super) struct Gatherer<'a> {
+    sheets: &'a Sheets,
+    visits: Vec<u32>,
+    visit: u32,
+    found: Vec<u32>,
+    /// The nearest points of the last neighbourhood, in no order; the centre is not among them.
+    pub(super) neighbours: Vec<Neighbour>,
+    /// Half axes of the neighbourhood along x and y: that of the farthest neighbour. Equal unless it is elongated.
+    pub(super) extent: [f64; 2],
+}
+
+impl<'a> Gatherer<'a> {
+    pub(super) fn new(sheets: &'a Sheets) -> Self {
+        let visits = vec![0; sheets.positions.len()];
+        Self { sheets, visits, visit: 0, found: Vec::new(), neighbours: Vec::new(), extent: [1.0; 2] }
+    }
+
+    /// Gathers the `count` nearest neighbours of a point, or as many as there are, and returns the frame they are in.
+    pub(super) fn gather(&mut self, centre: usize, count: usize) -> Frame {
+        self.collect(centre, count + count / 4);
+        let mut frame = Frame::with_normal(self.sheets.positions[centre], self.sheets.normals[centre]);
+        let axes = self.axes(&frame);
+        let [long, short] = axes.lengths;
+        let elongated = long > ELONGATED * short;
+        if elongated {
+            frame = frame.turned(axes.direction);
+        }
+        let scale = if elongated { [1.0 / long, 1.0 / short.max(1e-9 * long)] } else { [1.0; 2] };
+        self.measure(&frame, scale);
+        self.keep_nearest(count);
+        let farthest = self.neighbours.iter().fold(0.0_f64, |most, near| most.max(near.squared_distance));
+        let radius = if farthest > 0.0 { farthest.sqrt() } else { 1.0 };
+        self.extent = [radius / scale[0], radius / scale[1]];
+        for neighbour in &mut self.neighbours {
+            neighbour.squared_distance /= radius * radius;
+        }
+        frame
+    }
+
+    /// Whole rings, until there are at least `enough` points.
+    fn collect(&mut self, centre: usize, enough: usize) {
+        self.visit += 1;
+        self.found.clear();
+        self.visits[centre] = self.visit;
+        self.follow(centre);
+        let mut ring = 0..self.found.len();
+        while self.found.len() < enough && !ring.is_empty() {
+            for index in ring.clone() {
+                // Among hubs a ring can be many times what is needed.
+                if self.found.len() < 4 * enough {
+                    self.follow(self.found[index] as usize);
+                }
+            }
+            ring = ring.end..self.found.len();
+        }
+    }
+
+    /// Adds the neighbours of a point that are not there yet; of too many, evenly spread ones.
+    fn follow(&mut self, point: usize) {
+        let around = self.sheets.around(point);
+        for &next in around.iter().step_by(around.len().div_ceil(MAX_FOLLOWED).max(1)) {
+            let visits = &mut self.visits[next as usize];
+            if *visits != self.visit {
+                *visits = self.visit;
+                self.found.push(next);
+            }
+        }
+    }
+
+    /// The principal axes of what was found, as standard deviations.
+    fn axes(&self, frame: &Frame) -> Axes {
+        let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+        for &point in &self.found {
+            let offset = self.sheets.positions[point as usize] - frame.origin;
+            let (x, y) = (offset.dot(frame.x), offset.dot(frame.y));
+            xx += x * x;
+            xy += x * y;
+            yy += y * y;
+        }
+        let count = (self.found.len() as f64).max(1.0);
+        let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
+        let spread = (half * half + xy * xy).sqrt();
+        let lengths = [mean + spread, (mean - spread).max(0.0)].map(|variance| (variance / count).sqrt());
+        // Of the two forms of the eigenvector, the one that does not cancel.
+        let direction = if half > 0.0 { [half + spread, xy] } else { [xy, spread - half] };
+        Axes { lengths, direction }
+    }
+
+    fn measure(&mut self, frame: &Frame, scale: [f64; 2]) {
+        let positions = &self.sheets.positions;
+        self.neighbours.clear();
+        self.neighbours.extend(self.found.iter().map(|&point| {
+            let offset: DVec3 = positions[point as usize] - frame.origin;
+            let (x, y, z) = (offset.dot(frame.x), offset.dot(frame.y), offset.dot(frame.normal));
+            let (across, up) = (x * scale[0], y * scale[1]);
+            Neighbour { x, y, z, squared_distance: across * across + up * up + z * z * scale[0] * scale[0] }
+        }));
+    }
+
+    fn keep_nearest(&mut self, count: usize) {
+        if self.neighbours.len() > count {
+            // A stable rule for ties: the order in which they were found is that of the mesh.
+            self.neighbours.select_nth_unstable_by(count, |a, b| a.squared_distance.total_cmp(&b.squared_distance));
+            self.neighbours.truncate(count);
+        }
+    }
+}
+
+/// The longer axis first.
+struct Axes {
+    lengths: [f64; 2],
+    /// Along the longer, of any length.
+    direction: [f64; 2],
+}
