@@ -20,9 +20,11 @@ use barchan_field::Spacing;
 use barchan_import::{HeightMapOptions, Integers, read_height_map};
 use barchan_study::bandwidth::{self, Bandwidth};
 use barchan_study::report::Block;
+use barchan_study::timer::Pace;
 use barchan_study::{
-    Machine, Record, RecordFile, Scale, Scene, Step, curved_effect, curved_pictures, curved_shadow, horizon_accuracy,
-    horizon_curvature, horizon_shadow, horizon_speed, markdown, run,
+    Machine, Record, RecordFile, Scale, Scene, Step, curvature_accuracy, curvature_interpolation, curvature_speed,
+    curved_effect, curved_pictures, curved_shadow, horizon_accuracy, horizon_curvature, horizon_shadow, horizon_speed,
+    markdown, run,
 };
 use clap::{Parser, Subcommand};
 
@@ -110,6 +112,9 @@ fn records(block: Block, scale: Scale, cores: usize) -> Result<Vec<Record>> {
         Block::Kappa => curvature(scale, cores),
         Block::CurvedEffect => effect(scale, cores),
         Block::CurvedShadow => curved_shadows(scale, cores),
+        Block::CurvatureInterpolation => curvature_between_vertices(scale, cores),
+        Block::CurvatureAccuracy => curvature_of_meshes(scale, cores),
+        Block::CurvatureSpeed => curvature_speeds(scale, cores),
     }
 }
 
@@ -171,6 +176,26 @@ fn curved_shadows(scale: Scale, cores: usize) -> Result<Vec<Record>> {
     let exec = Exec::new(cores)?;
     let (study, figures) = curved_shadow::parts(scale, &exec)?;
     Ok(curved_shadow::measure(&study, &figures, &mut announce)?)
+}
+
+fn curvature_between_vertices(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    let seconds = if scale == Scale::Full { 2.0 } else { 0.01 };
+    let cases = curvature_interpolation::cases(scale, &exec)?;
+    Ok(curvature_interpolation::measure(&cases, &Pace { seconds, max_rounds: 9 }, &mut announce)?)
+}
+
+fn curvature_of_meshes(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    Ok(curvature_accuracy::measure(&curvature_accuracy::parts(scale, &exec), &mut announce)?)
+}
+
+fn curvature_speeds(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let mut records = Vec::new();
+    for heat in curvature_speed::heats(scale, cores)? {
+        records.extend(curvature_speed::measure(&heat, &mut announce)?);
+    }
+    Ok(records)
 }
 
 /// Real terrain, as `samples/jacksboro.ron` describes it; a quick run does without.

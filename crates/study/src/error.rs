@@ -30,6 +30,9 @@ pub enum StudyError {
     /// Tables do not fit each other.
     #[error(transparent)]
     Tables(#[from] MismatchedTables),
+    /// A mesh that is to be shaded has no texture coordinates.
+    #[error("the mesh has no texture coordinates, so it has no fundamental forms")]
+    NoTextureCoordinates,
     /// Text is not a setting.
     #[error("`{text}` is not a setting; words like `method=sweep directions=32` are accepted")]
     Setting {

@@ -1,5 +1,6 @@
 //! The record: what every technique is measured by.
 
+use barchan_field::Mesh;
 use barchan_metrics::{ErrorStats, Percentiles};
 use serde::{Deserialize, Serialize};
 
@@ -18,9 +19,9 @@ pub struct Record {
     pub setting: Setting,
     /// On what.
     pub scene: String,
-    /// Texels along u.
+    /// Texels along u, or vertices of a mesh.
     pub width: u32,
-    /// Texels along v.
+    /// Texels along v, or triangles of a mesh.
     pub height: u32,
     /// What the error columns are errors of.
     pub quantity: Option<Quantity>,
@@ -80,6 +81,11 @@ pub enum Quantity {
     ShadowBetweenCentres,
     /// The part of places that the sun reaches, 0 … 1: `mean`.
     LitShare,
+    /// Curvature, relative to the RMS of the larger principal one, without sign, over the mesh or its places. Wrong as the study
+    /// says.
+    Curvature,
+    /// A principal direction, degrees.
+    DirectionDegrees,
 }
 
 /// What a time is divided by.
@@ -90,6 +96,10 @@ pub enum Item {
     TexelDirection,
     /// One place under one light.
     ShadowTest,
+    /// One place of a surface in a picture.
+    Pixel,
+    /// One vertex of a mesh.
+    Vertex,
     /// One byte read or written.
     Byte,
 }
@@ -123,6 +133,19 @@ impl Record {
             scene: scene.name.clone(),
             width: grid.width,
             height: grid.height,
+            ..Self::default()
+        }
+    }
+
+    /// A record of a mesh with nothing measured yet.
+    #[must_use]
+    pub fn of_mesh(technique: &str, setting: Setting, name: &str, mesh: &Mesh) -> Self {
+        Self {
+            technique: technique.to_owned(),
+            setting,
+            scene: name.to_owned(),
+            width: mesh.positions().len() as u32,
+            height: mesh.triangles().len() as u32,
             ..Self::default()
         }
     }

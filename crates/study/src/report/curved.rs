@@ -111,3 +111,43 @@ fn times(file: &RecordFile) -> String {
         timed("traced")
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(words: &str, wrong_share: f64, rms: f64) -> Record {
+        Record {
+            scene: "4: bumps".to_owned(),
+            setting: words.parse().unwrap(),
+            wrong_share: Some(wrong_share),
+            rms: Some(rms),
+            mean: Some(0.75),
+            bytes: Some(1_500_000),
+            ..Record::default()
+        }
+    }
+
+    #[test]
+    fn figures_are_rows_and_suns_of_the_first_are_another_table() {
+        let records = vec![
+            record("places=centres method=paper", 0.01, 2.0),
+            record("places=anywhere method=paper", 0.02, 3.0),
+            record("places=anywhere method=paper elevation=-5", 0.1, 1.0),
+            record("places=anywhere method=traced elevation=-5", 0.0, 0.0),
+            Record { per: Some(Item::ShadowTest), cpu_ns: Some(50.0), ..record("method=paper elevation=10", 0.0, 0.0) },
+        ];
+        let text = render(&RecordFile { machine: "a box".to_owned(), records });
+        for line in [
+            "| 4: bumps; at centres | –, – | –, – | 1.00 %, 2.00° | –, – | –, – | –, – |\n",
+            "| 4: bumps; anywhere | –, – | –, – | 2.00 %, 3.00° | –, – | –, – | –, – |\n",
+            "| −5° | 75.0 % | –, – | –, – | 10.0 %, 1.00° | –, – | –, – | –, – |\n",
+            "| 4: bumps | 1.50 MB | – | – |\n",
+            "paper, corrected 50.0",
+        ] {
+            assert!(text.contains(line), "{line} in {text}");
+        }
+        // The sun that times are taken under is not one of the table's.
+        assert!(!text.contains("| 10° |"), "{text}");
+    }
+}

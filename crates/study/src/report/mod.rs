@@ -6,6 +6,9 @@ mod accuracy;
 mod curvature;
 mod curved;
 mod effect;
+mod interpolation;
+mod mesh_accuracy;
+mod mesh_speed;
 mod numbers;
 mod promises;
 mod shadow;
@@ -28,12 +31,27 @@ pub enum Block {
     CurvedEffect,
     /// What the shader decides on curved surfaces: [`curved_shadow`](crate::curved_shadow).
     CurvedShadow,
+    /// Curvature between vertices: [`curvature_interpolation`](crate::curvature_interpolation).
+    CurvatureInterpolation,
+    /// How exact baked curvature is: [`curvature_accuracy`](crate::curvature_accuracy).
+    CurvatureAccuracy,
+    /// How fast it is baked: [`curvature_speed`](crate::curvature_speed).
+    CurvatureSpeed,
 }
 
 impl Block {
     /// Every block, in the order of the docs.
-    pub const ALL: [Self; 6] =
-        [Self::Bench, Self::Accuracy, Self::Shadow, Self::Kappa, Self::CurvedEffect, Self::CurvedShadow];
+    pub const ALL: [Self; 9] = [
+        Self::Bench,
+        Self::Accuracy,
+        Self::Shadow,
+        Self::Kappa,
+        Self::CurvedEffect,
+        Self::CurvedShadow,
+        Self::CurvatureInterpolation,
+        Self::CurvatureAccuracy,
+        Self::CurvatureSpeed,
+    ];
 
     /// The name of the file, without `.csv`, and of the block.
     #[must_use]
@@ -45,6 +63,9 @@ impl Block {
             Self::Kappa => "kappa",
             Self::CurvedEffect => "curved_effect",
             Self::CurvedShadow => "curved_shadow",
+            Self::CurvatureInterpolation => "curvature_interpolation",
+            Self::CurvatureAccuracy => "curvature_accuracy",
+            Self::CurvatureSpeed => "curvature_speed",
         }
     }
 
@@ -62,6 +83,9 @@ impl Block {
             Self::Kappa => curvature::render(&file),
             Self::CurvedEffect => effect::render(&file),
             Self::CurvedShadow => curved::render(&file),
+            Self::CurvatureInterpolation => interpolation::render(&file),
+            Self::CurvatureAccuracy => mesh_accuracy::render(&file),
+            Self::CurvatureSpeed => mesh_speed::render(&file),
         })
     }
 

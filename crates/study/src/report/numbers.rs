@@ -29,6 +29,11 @@ pub(super) fn percent(share: f64) -> String {
     if percent > 0.0 && percent < 0.005 { "<0.01 %".to_owned() } else { format!("{percent:.decimals$} %") }
 }
 
+/// Two digits of a number that may be very small: 3.2e-4.
+pub(super) fn scientific(number: f64) -> String {
+    format!("{number:.1e}")
+}
+
 /// The mean; `None` of nothing.
 pub(super) fn mean(numbers: &[f64]) -> Option<f64> {
     (!numbers.is_empty()).then(|| numbers.iter().sum::<f64>() / numbers.len() as f64)
