@@ -26,14 +26,16 @@ const ARROWS: [(&str, &[&str]); 10] = [
 ];
 
 /// Documents whose relative links must lead somewhere.
-const DOCUMENTS: [&str; 9] = [
+const DOCUMENTS: [&str; 11] = [
     "README.md",
     "ARCHITECTURE.md",
     "CONTRIBUTING.md",
     "CHANGELOG.md",
     "formats/barchan-v1.md",
+    "formats/curvature-v1.md",
     "formats/height-v1.md",
     "formats/horizon-v1.md",
+    "formats/sky-v1.md",
     "samples/README.md",
     "tests/README.md",
 ];

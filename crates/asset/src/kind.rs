@@ -3,14 +3,14 @@
 use core::fmt;
 use core::ops::RangeInclusive;
 
-use crate::{SECTION_VERSION, Semantic};
+use crate::{CURVATURE_VERSION, SECTION_VERSION, Semantic};
 
 /// Four ASCII letters or digits that say what a section holds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SectionKind(pub [u8; 4]);
 
 /// Every kind this version knows, and its name. All lists of kinds derive from this one.
-const KNOWN: [(SectionKind, &str); 9] = [
+const KNOWN: [(SectionKind, &str); 10] = [
     (SectionKind::HEIGHT, "height"),
     (SectionKind::HORIZON, "horizon"),
     (SectionKind::DISTANCE, "distance"),
@@ -19,6 +19,7 @@ const KNOWN: [(SectionKind, &str); 9] = [
     (SectionKind::SKY_VISIBILITY, "sky_visibility"),
     (SectionKind::BENT_NORMAL, "bent_normal"),
     (SectionKind::APERTURE_CONE, "aperture_cone"),
+    (SectionKind::CURVATURE, "curvature"),
     (SectionKind::PROVENANCE, "provenance"),
 ];
 
@@ -39,6 +40,8 @@ impl SectionKind {
     pub const BENT_NORMAL: Self = Self(*b"BENT");
     /// The cone of directions towards the visible sky: unit axis and cosine of the half-angle.
     pub const APERTURE_CONE: Self = Self(*b"CONE");
+    /// Curvature per vertex of a mesh.
+    pub const CURVATURE: Self = Self(*b"CURV");
     /// How the file came about: UTF-8 JSON.
     pub const PROVENANCE: Self = Self(*b"PROV");
 
@@ -69,7 +72,7 @@ impl SectionKind {
     /// only refine what these hold.
     #[must_use]
     pub fn is_critical(self) -> bool {
-        matches!(self, Self::HEIGHT | Self::HORIZON | Self::DISTANCE)
+        matches!(self, Self::HEIGHT | Self::HORIZON | Self::DISTANCE | Self::CURVATURE)
     }
 
     /// The section versions that this crate reads; none for a kind it does not know.
@@ -77,6 +80,7 @@ impl SectionKind {
     pub fn versions(self) -> RangeInclusive<u16> {
         match self {
             Self::PROVENANCE => 1..=1,
+            Self::CURVATURE => CURVATURE_VERSION..=CURVATURE_VERSION,
             Self::HEIGHT | Self::HORIZON | Self::DISTANCE => 1..=SECTION_VERSION,
             // Born with version 2 of the descriptor they share.
             _ if self.name().is_some() => 2..=SECTION_VERSION,

@@ -18,6 +18,9 @@
 //! # }
 //! ```
 //!
+//! [`Section::texture`] and the views of its tables read texels; [`Section::curvature`] and [`CurvatureView`] the columns of
+//! a mesh.
+//!
 //! Opening does not look at a payload. A stranger's file wants [`Section::is_intact`] or, with the feature `write`,
 //! `validate` before its values are trusted; no call panics on a bad file either way.
 //!
@@ -67,7 +70,10 @@ mod write;
 
 pub use asset::{Asset, MAJOR, MAX_SECTIONS, MINOR};
 pub use azimuths::Azimuths;
-pub use curvature::VertexFlags;
+pub use curvature::{
+    CURVATURE_VERSION, ColumnLayout, CurvatureColumn, CurvatureDescriptor, CurvatureError, CurvatureView, SurfaceForms,
+    VertexFlags, VertexFormat,
+};
 pub use descriptor::{DescriptorError, MAX_EXTENT, MAX_LAYERS, SECTION_VERSION, TextureDescriptor};
 pub use error::{OpenError, SectionFault};
 pub use kind::SectionKind;
@@ -85,8 +91,8 @@ pub use view::TableView;
 pub use views::{DistanceView, HeightView, HorizonView, SweptDistanceView, SweptHorizonView};
 #[cfg(feature = "write")]
 pub use write::{
-    ApertureConeTable, AssetStream, AssetWriter, BentNormalTable, CurvatureSweep, DistanceTable, EncodeError, Encoding,
-    EncodingLoss, Finished, HeightTable, HorizonTable, LayerMeasure, RawSection, SkyVisibilityTable,
-    SweptDistanceTable, SweptHorizonTable, TableEncoder, TableFacts, TableGrid, TextureTable, WriteError,
-    content_identity,
+    ApertureConeTable, AssetStream, AssetWriter, BentNormalTable, CurvatureSweep, CurvatureTable, DistanceTable,
+    EncodeError, EncodedCurvature, Encoding, EncodingLoss, Finished, HeightTable, HorizonTable, LayerMeasure,
+    RawSection, SkyVisibilityTable, SweptDistanceTable, SweptHorizonTable, TableEncoder, TableFacts, TableGrid,
+    TextureTable, WriteError, content_identity,
 };

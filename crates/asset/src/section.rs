@@ -1,7 +1,7 @@
 //! One section of an opened file.
 
 use crate::entry::Entry;
-use crate::{DescriptorError, SectionKind, Semantic, TextureDescriptor, crc};
+use crate::{CurvatureDescriptor, CurvatureError, DescriptorError, SectionKind, Semantic, TextureDescriptor, crc};
 
 /// How a payload is stored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -178,6 +178,26 @@ impl<'a> Section<'a> {
         let (found, expected) = (self.raw_length(), descriptor.payload_length());
         if found != expected {
             return Err(DescriptorError::PayloadLength { found, expected });
+        }
+        Ok(descriptor)
+    }
+
+    /// The descriptor of a curvature table, checked, and in agreement with the section's raw length.
+    ///
+    /// # Errors
+    /// Another kind, a version this crate does not read, or whatever [`CurvatureDescriptor::parse`] refuses.
+    pub fn curvature(&self) -> Result<CurvatureDescriptor, CurvatureError> {
+        let kind = self.kind();
+        if kind != SectionKind::CURVATURE {
+            return Err(CurvatureError::NotCurvature { kind });
+        }
+        if !self.is_known() {
+            return Err(CurvatureError::Version { found: self.version() });
+        }
+        let descriptor = CurvatureDescriptor::parse(self.descriptor_bytes())?;
+        let (found, expected) = (self.raw_length(), descriptor.payload_length());
+        if found != expected {
+            return Err(CurvatureError::PayloadLength { found, expected });
         }
         Ok(descriptor)
     }

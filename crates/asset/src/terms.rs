@@ -33,6 +33,8 @@ macro_rules! numbered {
     };
 }
 
+pub(crate) use numbered;
+
 /// How a texel is stored; the number is Vulkan's `VkFormat`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Format {

@@ -1,8 +1,8 @@
 //! Damage: every flipped bit and every missing or added byte of a small file is noticed.
 
 use barchan_asset::{
-    Asset, AssetWriter, Azimuths, BentNormalTable, Codec, CurvatureSweep, Encoding, HorizonTable, LengthUnit, Limits,
-    OpenError, Severity, SweptHorizonTable, TableGrid, Wrap, validate,
+    Asset, AssetWriter, Azimuths, BentNormalTable, Codec, CurvatureSweep, CurvatureTable, Encoding, HorizonTable,
+    LengthUnit, Limits, OpenError, Severity, SurfaceForms, SweptHorizonTable, TableGrid, VertexFlags, Wrap, validate,
 };
 
 /// Two sections, padding of every sort: behind the descriptor, between layers, between sections.
@@ -43,13 +43,30 @@ fn small_file_of_version_2() -> Vec<u8> {
     writer.finish().unwrap()
 }
 
+/// Columns with padding between them and behind every vector.
+fn small_file_of_curvature() -> Vec<u8> {
+    let frame = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let forms = SurfaceForms { first: [2.0, 0.5, 1.0], second: [0.25, 0.0, -3.0] };
+    let table = CurvatureTable {
+        length_unit: LengthUnit::Metre,
+        principal: &[[0.5, -3.0], [0.0, 0.0]],
+        directions: Some(&[frame; 2]),
+        forms: Some(&[forms; 2]),
+        uv_directions: Some(&[[[1.0, 0.0], [0.5, 2.0]]; 2]),
+        flags: &[VertexFlags::NONE, VertexFlags::ISOLATED],
+    };
+    let mut writer = AssetWriter::new();
+    writer.add_curvature(table.encode(Encoding::Compact).unwrap(), Codec::Raw).unwrap();
+    writer.finish().unwrap()
+}
+
 fn has_error(file: &[u8]) -> bool {
     validate(file, &Limits::default()).iter().any(|finding| finding.severity == Severity::Error)
 }
 
 #[test]
 fn every_flipped_bit_is_an_error() {
-    for mut file in [small_file(), small_file_of_version_2()] {
+    for mut file in [small_file(), small_file_of_version_2(), small_file_of_curvature()] {
         assert_eq!(validate(&file, &Limits::default()), []);
         for bit in 0..8 * file.len() {
             file[bit / 8] ^= 1 << (bit % 8);
@@ -61,7 +78,7 @@ fn every_flipped_bit_is_an_error() {
 
 #[test]
 fn every_truncation_is_refused_at_open() {
-    for file in [small_file(), small_file_of_version_2()] {
+    for file in [small_file(), small_file_of_version_2(), small_file_of_curvature()] {
         for length in 0..file.len() {
             let error = Asset::open(&file[..length]).unwrap_err();
             let expected = matches!(error, OpenError::TooShort { .. } | OpenError::FileSize { .. });

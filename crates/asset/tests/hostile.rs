@@ -4,8 +4,8 @@
 use std::alloc::System;
 
 use barchan_asset::{
-    ApertureConeView, Asset, BentNormalView, DistanceView, HeightView, HorizonView, Limits, SkyVisibilityView,
-    SweptDistanceView, SweptHorizonView, TableView, content_identity, validate,
+    ApertureConeView, Asset, BentNormalView, CurvatureColumn, CurvatureView, DistanceView, HeightView, HorizonView,
+    Limits, Section, SkyVisibilityView, SweptDistanceView, SweptHorizonView, TableView, content_identity, validate,
     vectors::{self, reseal},
 };
 use cap::Cap;
@@ -41,6 +41,7 @@ fn exercise(file: &[u8]) {
     let _ = content_identity(&asset, &LIMITS);
     for section in asset.sections() {
         let (_, _) = (section.is_intact(), section.descriptor_bytes());
+        exercise_curvature(&section);
         let (Ok(payload), Ok(descriptor)) = (section.payload(&LIMITS), section.texture()) else { continue };
         let Ok(view) = TableView::new(descriptor, &payload) else { continue };
         for layer in 0..descriptor.layers {
@@ -77,6 +78,19 @@ fn exercise_newer_views(view: &TableView<'_>) {
     let _ = BentNormalView::new(descriptor, payload).map(|view| view.normal(column, row));
     if let Ok(view) = ApertureConeView::new(descriptor, payload) {
         let _ = (view.axis(column, row), view.cosine_of_half_angle(column, row));
+    }
+}
+
+fn exercise_curvature(section: &Section<'_>) {
+    let (Ok(payload), Ok(descriptor)) = (section.payload(&LIMITS), section.curvature()) else { return };
+    let view = CurvatureView::new(descriptor, &payload).unwrap();
+    for vertex in [0, view.vertices() - 1] {
+        let (_, _) = (view.principal(vertex), view.flags(vertex));
+        let _ = (view.directions(vertex), view.forms(vertex), view.uv_directions(vertex));
+    }
+    for column in CurvatureColumn::ALL {
+        let bytes = view.column(column).unwrap_or(&[]);
+        assert!(bytes.len() + view.column_padding(column).len() <= payload.len());
     }
 }
 

@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::PathBuf;
 
-use barchan_asset::{FINDINGS, MAX_EXTENT, MAX_LAYERS, MAX_SECTIONS, SectionKind, vectors};
+use barchan_asset::{
+    CurvatureColumn, FINDINGS, MAX_EXTENT, MAX_LAYERS, MAX_SECTIONS, SectionKind, VertexFlags, vectors,
+};
 
 fn page(name: &str) -> String {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../formats").join(name);
@@ -33,11 +35,16 @@ fn the_container_page_names_every_kind_bound_and_vector() {
     }
 }
 
-/// The hex lines of the worked example are the bytes of the vector it names.
 #[test]
-fn the_worked_example_is_the_published_vector() {
-    let page = page("barchan-v1.md");
-    let vector = vectors::all().unwrap().into_iter().find(|vector| vector.name == "height-u8-repeat-clamp").unwrap();
+fn the_worked_examples_are_the_published_vectors() {
+    assert!(hex_lines("barchan-v1.md", "height-u8-repeat-clamp") >= 20);
+    assert_eq!(hex_lines("curvature-v1.md", "curvature-principal"), 4);
+}
+
+/// How many hex lines a page has; they are the bytes of that vector.
+fn hex_lines(name: &str, vector: &str) -> usize {
+    let page = page(name);
+    let vector = vectors::all().unwrap().into_iter().find(|listed| listed.name == vector).unwrap();
     let mut lines = 0;
     for line in page.lines().filter(|line| line.len() > 9 && line.as_bytes()[4..6] == *b"  ") {
         let Ok(at) = usize::from_str_radix(&line[..4], 16) else { continue };
@@ -47,5 +54,18 @@ fn the_worked_example_is_the_published_vector() {
         }
         lines += 1;
     }
-    assert!(lines >= 20, "the example has {lines} lines");
+    lines
+}
+
+#[test]
+fn the_curvature_page_lists_every_column_format_and_remark() {
+    let page = page("curvature-v1.md");
+    for column in CurvatureColumn::ALL {
+        let [exact, small] = column.formats().map(|format| format!("{} `{}`", format.number(), format.name()));
+        let row = page.lines().find(|line| line.starts_with(&format!("| {} | {} |", column.number(), column.name())));
+        assert!(row.is_some_and(|row| row.contains(&exact) && row.contains(&small)), "{row:?}");
+    }
+    for (flag, name) in VertexFlags::ALL {
+        assert!(page.contains(&format!("| {} | {name} |", flag.0.trailing_zeros())), "{name}");
+    }
 }

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use barchan_asset::{
-    ApertureConeView, Asset, BentNormalView, DistanceView, HeightView, HorizonView, LengthUnit, Limits, MAX_ELEVATION,
-    OpenError, SectionFault, SectionKind, Severity, SkyVisibilityView, SweptDistanceView, SweptHorizonView, Transfer,
-    Wrap, validate, vectors,
+    ApertureConeView, Asset, BentNormalView, CurvatureColumn, CurvatureView, DistanceView, HeightView, HorizonView,
+    LengthUnit, Limits, MAX_ELEVATION, OpenError, SectionFault, SectionKind, Severity, SkyVisibilityView,
+    SweptDistanceView, SweptHorizonView, Transfer, Wrap, validate, vectors,
 };
 
 fn folder() -> PathBuf {
@@ -52,7 +52,7 @@ fn every_file_in_the_folder_is_listed() {
         vectors::all().unwrap().iter().map(|v| folder().join(v.name).with_extension("barchan")).collect();
     for sub in [folder(), folder().join("refused")] {
         for file in fs::read_dir(sub).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_file()) {
-            assert!(listed.contains(&file), "{} is not listed in src/vectors.rs", file.display());
+            assert!(listed.contains(&file), "{} is not listed in src/vectors", file.display());
         }
     }
 }
@@ -215,6 +215,82 @@ fn walls_keep_their_elevation() {
     let section = Asset::open(&file).unwrap().section(SectionKind::HORIZON).unwrap();
     let view = HorizonView::new(section.texture().unwrap(), section.raw_payload().unwrap()).unwrap();
     assert_eq!([0, 1, 2].map(|k| view.elevation_radians(k, 0, 0)), [MAX_ELEVATION, 0.0, -MAX_ELEVATION]);
+}
+
+/// The curvature table of a published file.
+fn curvature(file: &[u8]) -> CurvatureView<'_> {
+    let section = Asset::open(file).unwrap().section(SectionKind::CURVATURE).unwrap();
+    CurvatureView::new(section.curvature().unwrap(), section.raw_payload().unwrap()).unwrap()
+}
+
+#[test]
+fn f32_curvature_is_exact() {
+    let file = published("curvature-f32");
+    let view = curvature(&file);
+    assert_eq!((view.vertices(), view.descriptor().length_unit()), (5, LengthUnit::Metre));
+    assert_eq!(view.descriptor().curvature_range(), (-300.0, 2.0));
+    for (i, vertex) in (0..5).zip(vectors::CURVED) {
+        assert_eq!(view.principal(i), vertex.principal);
+        assert_eq!(view.directions(i), Some(vertex.directions));
+        assert_eq!(view.forms(i), Some(vertex.forms()));
+        assert_eq!(view.uv_directions(i), Some(vertex.uv_directions()));
+        assert_eq!(view.flags(i), vertex.flags);
+    }
+}
+
+/// What the page promises of every table: along V1 the forms give κ1, along V2 κ2, and both are unit lengths.
+#[test]
+fn the_forms_of_the_vectors_give_their_principal_curvatures() {
+    for (name, tolerance) in [("curvature-f32", 1e-6), ("curvature-f16", 4e-3)] {
+        let file = published(name);
+        let view = curvature(&file);
+        for i in 0..view.vertices() {
+            let forms = view.forms(i).unwrap();
+            for ([u, v], kappa) in view.uv_directions(i).unwrap().into_iter().zip(view.principal(i)) {
+                let along = |[a, b, c]: [f32; 3]| a * u * u + 2.0 * b * u * v + c * v * v;
+                let (length, bend) = (along(forms.first), along(forms.second));
+                assert!((length - 1.0).abs() <= tolerance, "{name} {i}: {length}");
+                // The second form of vertex 4 is the difference of numbers that are 300 times as large.
+                let size = view.principal(i).map(f32::abs).into_iter().fold(kappa.abs(), f32::max);
+                assert!((bend / length - kappa).abs() <= tolerance * size, "{name} {i}: {bend} / {length}, {kappa}");
+            }
+        }
+    }
+}
+
+#[test]
+fn f16_curvature_decodes_to_these_values() {
+    let file = published("curvature-f16");
+    let view = curvature(&file);
+    // Scale 2⁻⁶: 0.1 is 6.3984375 of it, 300 is 19 200, 0.003 is 0.19201660….
+    let expected = [[0.5, -0.25], [2.0, 1.0], [0.099_975_586, 0.099_975_586], [0.0, 0.0], [-0.003_000_259_4, -300.0]];
+    assert_eq!([0, 1, 2, 3, 4].map(|i| view.principal(i)), expected);
+    for (i, vertex) in (0..5).zip(vectors::CURVED) {
+        let error = |column| view.descriptor().column(column).unwrap().worst_case_error;
+        let near = |found: &[f32], given: &[f32], column| {
+            found.iter().zip(given).all(|(found, given)| (found - given).abs() <= error(column))
+        };
+        let [first, second] = view.directions(i).unwrap();
+        assert!(near(&first, &vertex.directions[0], CurvatureColumn::Direction1));
+        assert!(near(&second, &vertex.directions[1], CurvatureColumn::Direction2));
+        let (forms, given) = (view.forms(i).unwrap(), vertex.forms());
+        assert!(near(&forms.first, &given.first, CurvatureColumn::FirstForm));
+        assert!(near(&forms.second, &given.second, CurvatureColumn::SecondForm));
+        let (found, given) = (view.uv_directions(i).unwrap(), vertex.uv_directions());
+        assert!(near(found.as_flattened(), given.as_flattened(), CurvatureColumn::UvDirections));
+        assert_eq!(view.flags(i), vertex.flags);
+    }
+}
+
+#[test]
+fn principal_curvature_stands_alone() {
+    let file = published("curvature-principal");
+    let view = curvature(&file);
+    // Scale 2⁻⁵. The millionth is a subnormal half: beside 1000 it is too small for all of its eleven bits.
+    let expected = [[1000.0, -0.001_000_404_4], [0.099_975_586, 1.000_240_4e-6], [0.0, -0.333_251_95]];
+    assert_eq!([0, 1, 2].map(|i| view.principal(i)), expected);
+    assert_eq!(view.descriptor().columns().count(), 1);
+    assert_eq!(view.column(CurvatureColumn::Principal).map(<[u8]>::len), Some(12));
 }
 
 #[test]

@@ -28,7 +28,7 @@ impl Mesh {
         }
         for (vertex, position) in positions.iter().enumerate() {
             // Squares of lengths stay far inside f64.
-            let offending = position.to_array().into_iter().find(|coordinate| !(coordinate.abs() <= 1e30));
+            let offending = position.to_array().into_iter().find(|coordinate| !(-1e30..=1e30).contains(coordinate));
             if let Some(value) = offending {
                 return Err(FieldError::VertexPosition { vertex: vertex as u64, value });
             }

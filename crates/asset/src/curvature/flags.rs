@@ -24,6 +24,9 @@ impl VertexFlags {
     /// Texture coordinates have no area here: the forms are those of the mean curvature in some tangent frame.
     pub const DEGENERATE_UV: Self = Self(1 << 6);
 
+    /// All remarks at once: the bits that may be set.
+    pub const KNOWN: Self = Self(0x7F);
+
     /// Every remark and its name.
     pub const ALL: [(Self, &'static str); 7] = [
         (Self::MIRRORED_UV, "mirrored_uv"),
@@ -53,5 +56,18 @@ impl BitOr for VertexFlags {
 
     fn bitor(self, other: Self) -> Self {
         Self(self.0 | other.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_known_bits_are_those_with_a_name() {
+        assert_eq!(
+            VertexFlags::ALL.into_iter().fold(VertexFlags::NONE, |all, (flag, _)| all | flag),
+            VertexFlags::KNOWN
+        );
     }
 }

@@ -69,7 +69,7 @@ const fn warning(id: &'static str, summary: &'static str) -> FindingKind {
 }
 
 /// Every finding there is, by number.
-pub const FINDINGS: [FindingKind; 56] = [
+pub const FINDINGS: [FindingKind; 63] = [
     error("B0101", "fewer bytes than a header"),
     error("B0102", "not the magic"),
     error("B0103", "unsupported major version"),
@@ -116,12 +116,19 @@ pub const FINDINGS: [FindingKind; 56] = [
     error("B0409", "transfer that does not fit the semantic"),
     error("B0410", "azimuths neither a full circle nor an arc"),
     error("B0411", "candidates that do not fit the layers or the semantic"),
+    error("B0412", "curvature descriptor of another length than its columns ask for"),
+    error("B0413", "curvature column out of order, or missing"),
     error("B0501", "value not finite"),
     error("B0502", "value outside the stated range"),
     error("B0503", "stated range not reached by the values"),
-    error("B0504", "padding between layers not zero"),
+    error("B0504", "padding between layers, columns or vectors not zero"),
     error("B0505", "stored number outside the domain of its transfer"),
     error("B0506", "direction that is not of unit length"),
+    error("B0507", "first principal curvature below the second"),
+    error("B0508", "principal directions that are not at right angles"),
+    error("B0509", "first fundamental form that is not positive"),
+    error("B0510", "unknown remark on a vertex"),
+    error("B0511", "curvature of a vertex where none can be known"),
     error("B0601", "provenance not UTF-8"),
     error("B0602", "provenance with a descriptor"),
     error("B0701", "swept table that does not lie as its companion does"),

@@ -1,6 +1,7 @@
 //! Everything that can be wrong with a file, as numbered findings.
 
 mod companions;
+mod curvature;
 mod findings;
 mod values;
 
@@ -100,6 +101,8 @@ impl Report {
             self.add("B0215", kind, format!("section version {found} is not known and was skipped"));
         } else if section.kind() == SectionKind::PROVENANCE {
             self.provenance(section, &payload);
+        } else if section.kind() == SectionKind::CURVATURE {
+            self.curvature(section, &payload);
         } else {
             self.texture(section, &payload);
         }
@@ -113,6 +116,14 @@ impl Report {
         let length = section.descriptor_bytes().len();
         if length != 0 {
             self.add("B0602", kind, format!("the provenance has a descriptor of {length} bytes; none is accepted"));
+        }
+    }
+
+    fn curvature(&mut self, section: &Section<'_>, payload: &[u8]) {
+        let table = section.curvature().and_then(|descriptor| crate::CurvatureView::new(descriptor, payload));
+        match table {
+            Ok(table) => curvature::check(&table, |id, message| self.add(id, Some(section.kind()), message)),
+            Err(error) => self.add(error.id(), Some(section.kind()), error.to_string()),
         }
     }
 

@@ -63,7 +63,7 @@ pub(super) fn to_halves(quantiser: &Quantiser, numbers: &[f32], codes: &mut [u16
     }
     let (scale, bias) = (f64::from(quantiser.scale), f64::from(quantiser.bias));
     for (code, &t) in codes.iter_mut().zip(numbers) {
-        *code = half_of_unit(between((f64::from(t) - bias) / scale, -1.0, 1.0));
+        *code = nearest_half(between((f64::from(t) - bias) / scale, -1.0, 1.0));
     }
 }
 
@@ -82,9 +82,9 @@ fn between(x: f64, low: f64, high: f64) -> f64 {
     if x < high { x } else { high }
 }
 
-/// The binary16 nearest to `x` in [−1, 1], ties to even.
+/// The binary16 nearest to `x`, ties to even. `x` is no larger than the greatest finite half, 65504.
 #[inline]
-fn half_of_unit(x: f64) -> u16 {
+pub(super) fn nearest_half(x: f64) -> u16 {
     let least = f64::from_bits(LEAST_EXPONENT << 52);
     let (sign, size) = ((x.to_bits() >> 48) as u16 & 0x8000, x.abs());
     let exponent = (if size > least { size } else { least }).to_bits() >> 52;
@@ -96,7 +96,7 @@ fn half_of_unit(x: f64) -> u16 {
 
 /// The value of a finite binary16.
 #[inline]
-fn value_of_half(code: u16) -> f32 {
+pub(super) fn value_of_half(code: u16) -> f32 {
     let size = u32::from(code & 0x7FFF);
     let subnormal = (size as i32 as f32) * f32::from_bits((127 - 24) << 23);
     let normal = f32::from_bits((size << 13) + (112 << 23));
@@ -114,8 +114,8 @@ mod tests {
     fn every_half_in_the_unit_interval_is_its_own_nearest_half() {
         for bits in 0..=0x3C00_u16 {
             let value = f64::from(f16_to_f32(bits));
-            assert_eq!(half_of_unit(value), bits);
-            assert_eq!(half_of_unit(-value), bits | 0x8000);
+            assert_eq!(nearest_half(value), bits);
+            assert_eq!(nearest_half(-value), bits | 0x8000);
         }
     }
 
@@ -124,9 +124,9 @@ mod tests {
         for bits in 0..0x3C00_u16 {
             let (low, high) = (f64::from(f16_to_f32(bits)), f64::from(f16_to_f32(bits + 1)));
             let middle = 0.5 * (low + high);
-            assert_eq!(half_of_unit(middle), bits + (bits & 1));
-            assert_eq!(half_of_unit(middle.next_down()), bits);
-            assert_eq!(half_of_unit(middle.next_up()), bits + 1);
+            assert_eq!(nearest_half(middle), bits + (bits & 1));
+            assert_eq!(nearest_half(middle.next_down()), bits);
+            assert_eq!(nearest_half(middle.next_up()), bits + 1);
         }
     }
 

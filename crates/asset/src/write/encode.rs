@@ -1,5 +1,7 @@
 //! How values are stored, and why they could not be.
 
+use std::string::String;
+
 use crate::{Component, Format, Semantic, Transfer};
 
 /// How values are stored.
@@ -7,12 +9,12 @@ use crate::{Component, Format, Semantic, Transfer};
 pub enum Encoding {
     /// As they are: 4 bytes, exact, not filterable on every GPU.
     F32,
-    /// 2 bytes; error at most 2⁻¹² of half the table's range, and rounding.
+    /// 2 bytes; error at most 2⁻¹² of half the table's range, and rounding; of curvature 2⁻¹¹ of each number.
     F16,
-    /// 1 byte; error at most 1/510 of the table's range, and rounding.
+    /// 1 byte; error at most 1/510 of the table's range, and rounding. Not for curvature.
     U8,
     /// What suits the kind: 1 byte of the sine of an elevation, of the root of a distance, of what has no unit; 2 bytes
-    /// of a height.
+    /// of a height and of curvature.
     Compact,
 }
 
@@ -129,6 +131,41 @@ pub enum EncodeError {
         /// Layers of the table.
         layers: u32,
     },
+    /// An encoding that a kind of table does not have.
+    #[error("{table} cannot be stored as {encoding}; {accepted} is accepted")]
+    Encoding {
+        /// The kind of table.
+        table: &'static str,
+        /// The encoding asked for.
+        encoding: &'static str,
+        /// The names of those it has.
+        accepted: &'static str,
+    },
+    /// A column of a mesh that has another number of vertices than the mesh.
+    #[error("{column} has {found} vertices; {expected} is accepted")]
+    Vertices {
+        /// The column.
+        column: &'static str,
+        /// Vertices it has.
+        found: u64,
+        /// Vertices of the mesh, or the most there can be.
+        expected: u64,
+    },
+    /// What a curvature table cannot say of a vertex.
+    #[error("{column} of vertex {vertex} is {found}; {accepted}")]
+    Vertex {
+        /// The column.
+        column: &'static str,
+        /// The vertex, counted from 0.
+        vertex: usize,
+        /// Its numbers.
+        found: String,
+        /// What would be accepted.
+        accepted: &'static str,
+    },
+    /// A curvature table outside the format.
+    #[error(transparent)]
+    Curvature(#[from] crate::CurvatureError),
     /// The facts about the table are outside the format.
     #[error(transparent)]
     Descriptor(#[from] crate::DescriptorError),

@@ -1,6 +1,7 @@
 //! From values to the bytes of a file.
 
 mod codes;
+mod curvature;
 mod encode;
 mod encoder;
 mod error;
@@ -13,6 +14,7 @@ mod stream;
 mod tables;
 mod writer;
 
+pub use curvature::{CurvatureTable, EncodedCurvature};
 pub use encode::{EncodeError, Encoding};
 pub use encoder::TableEncoder;
 pub use error::WriteError;

@@ -9,13 +9,14 @@ use std::io::{Read, Seek, Write};
 use std::vec;
 use std::vec::Vec;
 
+use super::curvature::EncodedCurvature;
 use super::error::WriteError;
 use super::layout::{Finished, Layout};
 use super::tables::TextureTable;
 use crate::asset::HEADER_BYTES;
 use crate::bytes::SECTION_ALIGN;
 use crate::entry::{CRITICAL, ENTRY_BYTES, Entry, MAX_DESCRIPTOR_BYTES};
-use crate::{Asset, Codec, Limits, SectionKind, TextureDescriptor};
+use crate::{Asset, CURVATURE_VERSION, Codec, Limits, SectionKind, TextureDescriptor};
 
 /// Effort of zstd: the decoder's speed does not depend on it.
 const ZSTD_LEVEL: i32 = 9;
@@ -163,6 +164,17 @@ impl<W: Read + Write + Seek> AssetStream<W> {
         let entry = table_entry(table.descriptor(), codec, table.payload().len() as u64);
         self.whole(entry, &table.descriptor().to_bytes(), table.payload(), codec)?;
         Ok(self)
+    }
+
+    /// Adds the curvature of a mesh, as a critical section. [`Codec::Zstd`] is used only where it makes the section smaller.
+    ///
+    /// # Errors
+    /// A curvature that is already there, too many sections, or a failure of the compressor or the file.
+    pub fn add_curvature(&mut self, table: &EncodedCurvature, codec: Codec) -> Result<&mut Self, WriteError> {
+        let (kind, mut descriptor) = (SectionKind::CURVATURE, Vec::new());
+        table.descriptor().write(&mut descriptor);
+        let (critical, version, payload) = (kind.is_critical(), CURVATURE_VERSION, table.payload());
+        self.raw_section(&RawSection { kind, critical, version, descriptor: &descriptor, payload }, codec)
     }
 
     /// Adds the provenance, a JSON text, as a raw ancillary section.

@@ -3,6 +3,7 @@
 use std::io::Cursor;
 use std::vec::Vec;
 
+use super::curvature::EncodedCurvature;
 use super::error::WriteError;
 use super::stream::{AssetStream, RawSection};
 use super::tables::TextureTable;
@@ -41,6 +42,16 @@ impl AssetWriter {
     #[allow(clippy::needless_pass_by_value, reason = "the table is freed as soon as the file has it")]
     pub fn add_table(&mut self, table: TextureTable, codec: Codec) -> Result<&mut Self, WriteError> {
         self.stream.add_table(&table, codec)?;
+        Ok(self)
+    }
+
+    /// Adds the curvature of a mesh: [`AssetStream::add_curvature`].
+    ///
+    /// # Errors
+    /// A curvature that is already there, too many sections, or a failure of the compressor.
+    #[allow(clippy::needless_pass_by_value, reason = "the table is freed as soon as the file has it")]
+    pub fn add_curvature(&mut self, table: EncodedCurvature, codec: Codec) -> Result<&mut Self, WriteError> {
+        self.stream.add_curvature(&table, codec)?;
         Ok(self)
     }
 

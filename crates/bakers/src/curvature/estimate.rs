@@ -14,7 +14,7 @@ use super::frame::Frame;
 use super::jet::{Jet, JetFits, coefficients};
 
 /// Neighbours beyond what a jet needs, in effective number, before its residual is believed.
-const LEAST_FREEDOM: f64 = 6.0;
+const LEAST_FREEDOM: f64 = 5.0;
 
 /// The shape operator of the surface at a point, in an orthonormal basis of its tangent plane.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -29,7 +29,7 @@ pub(super) struct Shape {
 
 impl Shape {
     /// The shape that a jet describes, its coordinates in units of `extent`.
-    pub(super) fn of(jet: &Jet, extent: [f64; 2]) -> Self {
+    pub(super) fn of(jet: &Jet, extent: [f64; 2], flattened: f64) -> Self {
         let [along, across] = extent;
         let height = along.max(across);
         let [c10, c01, c20, c11, c02] = jet.coefficients;
@@ -43,7 +43,10 @@ impl Shape {
         let variance = 4.0 * v20 / (along * along * along * along)
             + 2.0 * v11 / (along * along * across * across)
             + 4.0 * v02 / (across * across * across * across);
-        Self { tensor: shape_operator([p, q], [xx, xy, yy]), slope: [p, q], variance }
+        let [xx, xy, yy] = shape_operator([p, q], [xx, xy, yy]);
+        // What flattening took out, along the surface's own normal.
+        let round = flattened / (1.0 + p * p + q * q).sqrt();
+        Self { tensor: [xx + round, xy, yy + round], slope: [p, q], variance }
     }
 
     /// The shape of a surface that bends alike in all directions.
@@ -100,36 +103,26 @@ pub(super) struct Estimate {
 
 impl Estimate {
     /// The best degree of a fit; `None` if no degree is determined.
-    pub(super) fn of(fits: &JetFits, extent: [f64; 2]) -> Option<Self> {
+    pub(super) fn of(fits: &JetFits, extent: [f64; 2], flattened: f64) -> Option<Self> {
         let determined = 2..=fits.degrees;
-        let Some(top) = determined.clone().rev().find(|&degree| freedom(fits, degree) >= LEAST_FREEDOM) else {
+        let Some(top) = determined.clone().rev().find(|&degree| freedom(fits, degree) >= super::knob::lf()) else {
             // As many coefficients as neighbours: nothing is left over to judge by.
             let lowest = determined.min()?;
-            return Some(Self { shape: Shape::of(fits.jet(lowest), extent), noise: None });
+            return Some(Self { shape: Shape::of(fits.jet(lowest), extent, flattened), noise: None });
         };
-        let noise = noise(fits, top, extent);
-        let highest = Shape::of(fits.jet(top), extent);
-        let mut best = (highest, noise * highest.variance);
-        for degree in (2..top).rev() {
-            let shape = Shape::of(fits.jet(degree), extent);
-            let steadier = noise * (highest.variance - shape.variance);
-            let error = (shape.squared_difference(&highest) - steadier).max(0.0) + noise * shape.variance;
-            if error < best.1 {
-                best = (shape, error);
-            }
-        }
-        Some(Self { shape: best.0, noise: Some(noise) })
+        Some(Self { shape: Shape::of(fits.jet(top), extent, flattened), noise: Some(noise(fits, top, extent)) })
     }
 }
 
 /// The effective number of neighbours beyond the coefficients of a degree.
 pub(super) fn freedom(fits: &JetFits, degree: usize) -> f64 {
     let [sum, squares] = fits.weights;
-    sum - coefficients(degree) as f64 * squares / sum
+    sum * sum / squares - coefficients(degree) as f64
 }
 
 /// The noise of positions, squared, that a degree leaves over.
 pub(super) fn noise(fits: &JetFits, degree: usize, extent: [f64; 2]) -> f64 {
     let height = extent[0].max(extent[1]);
-    fits.jet(degree).residual / freedom(fits, degree) * height * height
+    let [sum, squares] = fits.weights;
+    fits.jet(degree).residual / (freedom(fits, degree) * squares / sum) * height * height
 }

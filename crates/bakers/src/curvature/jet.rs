@@ -19,10 +19,12 @@
 
 use fearless_simd::{Simd, f64x8, prelude::*};
 
+use super::neighbourhood::Gatherer;
+
 /// Points fitted in lockstep.
 pub(super) const LANES: usize = 8;
 /// The highest degree there is.
-pub(super) const MAX_DEGREE: usize = 6;
+pub(super) const MAX_DEGREE: usize = 8;
 
 /// Coefficients of a polynomial of a degree in two variables.
 pub(super) const fn coefficients(degree: usize) -> usize {
@@ -34,6 +36,8 @@ const MAX_COEFFICIENTS: usize = coefficients(MAX_DEGREE);
 const POWERS: usize = 2 * MAX_DEGREE + 1;
 /// A pivot below this part of its diagonal has lost its digits.
 const LEAST_PIVOT: f64 = 1e-11;
+/// The weight of a neighbour falls as (1 − this · squared distance)²: near a Gaussian, without its exponential.
+const FALLOFF: f64 = 0.6;
 
 /// The exponents of the monomial at a place.
 const EXPONENTS: [(usize, usize); MAX_COEFFICIENTS] = {
@@ -66,6 +70,19 @@ impl Samples {
         for values in [&mut self.x, &mut self.y, &mut self.z, &mut self.weight] {
             values.clear();
             values.resize(count, [0.0; LANES]);
+        }
+    }
+
+    /// Puts the neighbours that were gathered into a lane.
+    pub(super) fn fill_lane(&mut self, lane: usize, gatherer: &Gatherer<'_>) {
+        let [along, across] = gatherer.extent;
+        let height = along.max(across);
+        for (index, near) in gatherer.neighbours.iter().enumerate() {
+            let falloff = 1.0 - super::knob::fo() * near.squared_distance;
+            self.x[index][lane] = near.x / along;
+            self.y[index][lane] = near.y / across;
+            self.z[index][lane] = near.z / height;
+            self.weight[index][lane] = falloff * falloff;
         }
     }
 }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use barchan_asset::VertexFlags;
 use fearless_simd::{Level, Simd, dispatch};
+use glam::DVec3;
 
 use super::estimate::{Estimate, Shape};
 use super::frame::Frame;
@@ -16,7 +17,7 @@ use crate::Exec;
 /// Points that a thread takes at a time.
 const BLOCK: usize = 2048;
 /// Neighbours, growing, where fewer do not determine a quadric.
-const GROWTH: [usize; 3] = [1, 2, 4];
+const GROWTH: [usize; 2] = [2, 4];
 
 /// What the first pass finds at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,7 +50,11 @@ pub(super) fn fit_all(sheets: &Sheets, reach: Reach, exec: &Exec) -> Vec<Found> 
             let points = first..first + found.len();
             match reach.degree {
                 3 => dispatch!(level, simd => worker.fit_block::<_, 3>(simd, reach.neighbours, points, found)),
-                _ => dispatch!(level, simd => worker.fit_block::<_, 6>(simd, reach.neighbours, points, found)),
+                _ => {
+                    dispatch!(level, simd => worker.fit_block::<_, 6>(simd, reach.neighbours, points.clone(), found));
+                    let bn = super::knob::bn();
+                    if bn > 0 { dispatch!(level, simd => worker.fit_border::<_, 8>(simd, bn, points, found)); }
+                }
             }
         },
     );
@@ -63,6 +68,16 @@ struct Worker<'a> {
     sheets: &'a Sheets,
 }
 
+/// A point, what surrounds it, and what was fitted.
+#[derive(Clone, Copy)]
+struct Patch {
+    frame: Frame,
+    extent: [f64; 2],
+    /// Curvature that was taken out before the fit.
+    flattened: f64,
+    fits: JetFits,
+}
+
 impl Worker<'_> {
     #[inline(always)]
     fn fit_block<S: Simd, const DEGREE: usize>(
@@ -73,18 +88,101 @@ impl Worker<'_> {
         found: &mut [Found],
     ) {
         let mut solver = Solver::new(simd);
-        let mut undetermined = Vec::new();
         for (start, found) in points.step_by(LANES).zip(found.chunks_mut(LANES)) {
             let patches = self.fit_lanes::<_, DEGREE>(simd, &mut solver, neighbours, start..start + found.len());
-            for (lane, (patch, found)) in patches.iter().zip(found.iter_mut()).enumerate() {
-                match patch.estimate() {
-                    Some(estimate) => *found = self.finish(patch, &estimate, start + lane),
-                    None => undetermined.push((start + lane, found)),
+            for (lane, found) in found.iter_mut().enumerate() {
+                let patch = &patches[lane];
+                *found = match Estimate::of(&patch.fits, patch.extent, patch.flattened) {
+                    Some(estimate) => self.finish(&patch.frame, &estimate, start + lane),
+                    None => self.fit_wider::<_, DEGREE>(simd, &mut solver, neighbours, start + lane),
+                };
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn fit_border<S: Simd, const DEGREE: usize>(&mut self, simd: S, neighbours: usize, points: Range<usize>, found: &mut [Found]) {
+        let mut solver = Solver::new(simd);
+        let first = points.start;
+        for point in points {
+            let near = self.sheets.flags[point].contains(VertexFlags::BOUNDARY) || self.sheets.around(point).iter().any(|&n| self.sheets.flags[n as usize].contains(VertexFlags::BOUNDARY));
+            if near {
+                let patches = self.fit_lanes::<_, DEGREE>(simd, &mut solver, neighbours, point..point + 1);
+                let [Patch { frame, extent, flattened, fits }, ..] = patches;
+                if let Some(estimate) = Estimate::of(&fits, extent, flattened) {
+                    found[point - first] = self.finish(&frame, &estimate, point);
                 }
             }
         }
-        for (point, found) in undetermined {
-            *found = self.fit_alone::<_, DEGREE>(simd, &mut solver, neighbours, point);
+    }
+
+    /// Fits up to eight points in lockstep.
+    #[inline(always)]
+    fn fit_lanes<S: Simd, const DEGREE: usize>(
+        &mut self,
+        simd: S,
+        solver: &mut Solver<S>,
+        neighbours: usize,
+        points: Range<usize>,
+    ) -> [Patch; LANES] {
+        self.samples.reset(neighbours);
+        let mut placed = [(Frame::with_normal(DVec3::ZERO, DVec3::Z), [1.0; 2], 0.0); LANES];
+        for (lane, point) in points.enumerate() {
+            let frame = self.gatherer.gather(point, neighbours);
+            placed[lane] = (frame, self.gatherer.extent, self.gatherer.flattened);
+            self.samples.fill_lane(lane, &self.gatherer);
         }
+        let fits = solver.fit::<DEGREE>(simd, &self.samples);
+        std::array::from_fn(|lane| {
+            let (frame, extent, flattened) = placed[lane];
+            Patch { frame, extent, flattened, fits: fits[lane] }
+        })
+    }
+
+    /// Where the nearest neighbours do not determine a quadric: more of them; at last the mean of their curvatures.
+    #[inline(always)]
+    fn fit_wider<S: Simd, const DEGREE: usize>(
+        &mut self,
+        simd: S,
+        solver: &mut Solver<S>,
+        neighbours: usize,
+        point: usize,
+    ) -> Found {
+        for growth in GROWTH {
+            let patches = self.fit_lanes::<_, DEGREE>(simd, solver, growth * neighbours, point..point + 1);
+            let [Patch { frame, extent, flattened, fits }, ..] = patches;
+            if let Some(estimate) = Estimate::of(&fits, extent, flattened) {
+                return self.finish(&frame, &estimate, point);
+            }
+        }
+        let frame = self.gatherer.gather(point, neighbours);
+        if self.sheets.normals[point] == DVec3::ZERO {
+            let flags = self.sheets.flags[point] | VertexFlags::DEGENERATE;
+            return Found { curvature: VertexCurvature { flags, ..VertexCurvature::UNKNOWN }, noise: None, variance: 0.0 };
+        }
+        let umbilic = Shape::umbilic(self.gatherer.flattened);
+        self.finish(&frame, &Estimate { shape: umbilic, noise: None }, point)
+    }
+
+    fn finish(&self, frame: &Frame, estimate: &Estimate, point: usize) -> Found {
+        let (principal, directions, normal) = estimate.shape.principal(frame);
+        let limit = self.resolvable(point);
+        let clamped = principal.map(|curvature| curvature.clamp(-limit, limit));
+        let remark = if clamped == principal { VertexFlags::NONE } else { VertexFlags::CLAMPED };
+        let flags = self.sheets.flags[point] | remark;
+        let curvature = VertexCurvature { principal: clamped, directions, normal, flags };
+        Found { curvature, noise: estimate.noise, variance: estimate.shape.variance }
+    }
+
+    /// The greatest curvature that the edges of a point can resolve: a circle on which they would be diameters.
+    fn resolvable(&self, point: usize) -> f64 {
+        let Sheets { positions, .. } = self.sheets;
+        let around = self.sheets.around(point);
+        let shortest = around
+            .iter()
+            .map(|&next| positions[next as usize].distance_squared(positions[point]))
+            .filter(|&squared| squared > 0.0)
+            .fold(f64::INFINITY, f64::min);
+        2.0 / shortest.sqrt().max(f64::MIN_POSITIVE)
     }
 }

@@ -13,6 +13,11 @@ const ELONGATED: f64 = 3.0;
 /// How many neighbours of one point are followed: a hub of a fan has 100 000.
 const MAX_FOLLOWED: usize = 64;
 
+/// How far round the sphere that is flattened neighbours may lie: radii.
+const MOST_BENT: f64 = 1.2;
+/// Neighbours whose normals turn away farther, as a cosine, are on another side of the body.
+const TURNED_AWAY: f64 = 0.35;
+
 /// A neighbour in the frame of the centre, in lengths.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Neighbour {
@@ -34,18 +39,20 @@ pub(super) struct Gatherer<'a> {
     pub(super) neighbours: Vec<Neighbour>,
     /// Half axes of the neighbourhood along x and y: that of the farthest neighbour. Equal unless it is elongated.
     pub(super) extent: [f64; 2],
+    /// The curvature that was taken out of the neighbours by [`flatten`](Self::flatten).
+    pub(super) flattened: f64,
 }
 
 impl<'a> Gatherer<'a> {
     pub(super) fn new(sheets: &'a Sheets) -> Self {
         let visits = vec![0; sheets.positions.len()];
-        Self { sheets, visits, visit: 0, found: Vec::new(), neighbours: Vec::new(), extent: [1.0; 2] }
+        Self { sheets, visits, visit: 0, found: Vec::new(), neighbours: Vec::new(), extent: [1.0; 2], flattened: 0.0 }
     }
 
     /// Gathers the `count` nearest neighbours of a point, or as many as there are, and returns the frame they are in.
     pub(super) fn gather(&mut self, centre: usize, count: usize) -> Frame {
         self.collect(centre, count + count / 4);
-        let mut frame = Frame::with_normal(self.sheets.positions[centre], self.sheets.normals[centre]);
+        let mut frame = Frame::with_normal(self.sheets.positions[centre], self.steady_normal(centre));
         let axes = self.axes(&frame);
         let [long, short] = axes.lengths;
         let elongated = long > ELONGATED * short;
@@ -61,7 +68,38 @@ impl<'a> Gatherer<'a> {
         for neighbour in &mut self.neighbours {
             neighbour.squared_distance /= radius * radius;
         }
+        self.flatten();
         frame
+    }
+
+    /// Bends space so that the sphere that follows the neighbours best becomes a plane: what is left is nearer to a polynomial.
+    ///
+    /// p′ = (p − b p²) / (1 − 2 b·p + b² p²), b = −½ κ₀ along the normal, is conformal and the identity to first order at the centre,
+    /// so that it takes κ₀ from every normal curvature there and changes nothing else.
+    fn flatten(&mut self) {
+        let mean = mean_curvature(&self.neighbours).unwrap_or(0.0);
+        let farthest = self.neighbours.iter().map(|near| near.x * near.x + near.y * near.y + near.z * near.z);
+        let farthest = farthest.fold(0.0, f64::max).sqrt();
+        // The far side of the sphere, at distance 2 / κ₀, goes to infinity.
+        let limit = MOST_BENT / farthest.max(f64::MIN_POSITIVE);
+        let bend = mean.clamp(-limit, limit);
+        for near in &mut self.neighbours {
+            let squared = near.x * near.x + near.y * near.y + near.z * near.z;
+            let stretch = 1.0 / (1.0 + bend * near.z + 0.25 * bend * bend * squared);
+            near.x *= stretch;
+            near.y *= stretch;
+            near.z = (near.z + 0.5 * bend * squared) * stretch;
+        }
+        self.flattened = bend;
+    }
+
+    /// A normal that no single sliver can turn: half the point's own, half its neighbours'.
+    fn steady_normal(&self, centre: usize) -> DVec3 {
+        let Sheets { normals, .. } = self.sheets;
+        let around = self.sheets.around(centre);
+        let others: DVec3 = around.iter().take(MAX_FOLLOWED).map(|&next| normals[next as usize]).sum();
+        let count = around.len().min(MAX_FOLLOWED) as f64;
+        (others + normals[centre] * (0.5 * count)).try_normalize().unwrap_or(normals[centre])
     }
 
     /// Whole rings, until there are at least `enough` points.
@@ -114,9 +152,13 @@ impl<'a> Gatherer<'a> {
     }
 
     fn measure(&mut self, frame: &Frame, scale: [f64; 2]) {
-        let positions = &self.sheets.positions;
+        let Sheets { positions, normals, .. } = self.sheets;
         self.neighbours.clear();
-        self.neighbours.extend(self.found.iter().map(|&point| {
+        let same_side = self.found.iter().filter(|&&point| {
+            let normal = normals[point as usize];
+            normal == DVec3::ZERO || normal.dot(frame.normal) > TURNED_AWAY
+        });
+        self.neighbours.extend(same_side.map(|&point| {
             let offset: DVec3 = positions[point as usize] - frame.origin;
             let (x, y, z) = (offset.dot(frame.x), offset.dot(frame.y), offset.dot(frame.normal));
             let (across, up) = (x * scale[0], y * scale[1]);
@@ -138,4 +180,16 @@ struct Axes {
     lengths: [f64; 2],
     /// Along the longer, of any length.
     direction: [f64; 2],
+}
+
+/// The curvature of the sphere through the centre that is nearest to the neighbours.
+fn mean_curvature(neighbours: &[Neighbour]) -> Option<f64> {
+    let (mut rise, mut spread) = (0.0, 0.0);
+    for near in neighbours {
+        // On a sphere κ p² = −2z, everywhere.
+        let squared = near.x * near.x + near.y * near.y + near.z * near.z;
+        rise -= near.z * squared;
+        spread += squared * squared;
+    }
+    (spread > 0.0).then_some(2.0 * rise / spread)
 }

@@ -43,6 +43,7 @@ pub use vertex_noise::with_vertex_noise;
 /// A closed-form curved surface. Lengths, 1e-9 to 1e9, are in one unit of the reader's choice.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[expect(clippy::large_enum_variant, reason = "there are never many surfaces, and being copied easily is worth more")]
 pub enum ParametricSurface {
     /// A sphere about the origin. u is the longitude, v the latitude from the south pole (−z) to the north pole.
     Sphere {

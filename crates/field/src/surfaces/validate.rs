@@ -49,7 +49,7 @@ pub(super) fn check(surface: &ParametricSurface) -> Result<(), FieldError> {
 /// Coordinates in range, and a tangent plane at each of a grid of parameters.
 fn patch(control: &[[DVec3; 4]; 4], check: &Check) -> Result<(), FieldError> {
     let mut coordinates = control.iter().flatten().flat_map(|point| point.to_array());
-    if let Some(value) = coordinates.find(|value| !(value.abs() <= 1e9)) {
+    if let Some(value) = coordinates.find(|value| !(-1e9..=1e9).contains(value)) {
         return Err(check.refusal("control", value, "a coordinate from -1e9 to 1e9"));
     }
     for i in 0..=16 {

@@ -59,6 +59,11 @@ pub(super) struct Sheets {
 }
 
 impl Sheets {
+    /// The points that share an edge with a point.
+    pub(super) fn around(&self, point: usize) -> &[u32] {
+        &self.neighbours[self.starts[point] as usize..self.starts[point + 1] as usize]
+    }
+
     /// Welds, orients and cuts a mesh.
     pub(super) fn of(mesh: &Mesh, hard_edge_degrees: f64, exec: &Exec) -> Self {
         let mut places = weld::weld(mesh);
@@ -75,6 +80,12 @@ impl Sheets {
         report.unorientable_edges = turned.unorientable_edges;
         assemble(mesh, places, &surface, &duplicates, report, exec)
     }
+}
+
+/// The place of every vertex that a triangle uses: vertices at one place are welded, hard edges aside.
+pub(super) fn places(mesh: &Mesh) -> Vec<Option<u32>> {
+    let of_vertex = weld::weld(mesh).of_vertex;
+    of_vertex.into_iter().map(|place| (place != NONE).then_some(place)).collect()
 }
 
 /// Three places per triangle, and how many triangles have fewer.

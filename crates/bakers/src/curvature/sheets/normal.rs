@@ -11,33 +11,43 @@ use glam::DVec3;
 /// Height over length of a triangle below which it loses its say.
 const THIN: f64 = 1e-3;
 
+/// The way to a neighbour.
+#[derive(Debug, Clone, Copy)]
+struct Arm {
+    direction: DVec3,
+    length: f64,
+}
+
 /// Sums the triangles between successive neighbours of a point.
 #[derive(Debug)]
 pub(super) struct Normal {
     middle: DVec3,
     /// A height that is all rounding.
     rounding: f64,
-    first: DVec3,
-    last: DVec3,
+    /// The first and the latest neighbour.
+    arms: Option<[Arm; 2]>,
     sum: DVec3,
 }
 
 impl Normal {
     pub(super) fn around(middle: DVec3) -> Self {
         let rounding = 4.0 * f64::EPSILON * middle.abs().max_element();
-        Self { middle, rounding, first: DVec3::ZERO, last: DVec3::ZERO, sum: DVec3::ZERO }
+        Self { middle, rounding, arms: None, sum: DVec3::ZERO }
     }
 
     /// The next neighbour, counter-clockwise; how far it is.
     pub(super) fn go_on_to(&mut self, neighbour: DVec3) -> f64 {
-        let arm = neighbour - self.middle;
-        if self.first == DVec3::ZERO {
-            self.first = arm;
-        } else {
-            self.sum += self.say(self.last, arm);
-        }
-        self.last = arm;
-        arm.length()
+        let offset = neighbour - self.middle;
+        let length = offset.length();
+        let arm = Arm { direction: offset / length, length };
+        self.arms = Some(match self.arms {
+            None => [arm; 2],
+            Some([first, latest]) => {
+                self.sum += self.say(latest, arm);
+                [first, arm]
+            }
+        });
+        length
     }
 
     /// The unit normal, or zero where no triangle has an area.
@@ -47,27 +57,32 @@ impl Normal {
 
     /// The same, with the triangle between the last neighbour and the first.
     pub(super) fn of_closed_fan(&self) -> DVec3 {
-        (self.sum + self.say(self.last, self.first)).normalize_or_zero()
+        let closing = self.arms.map_or(DVec3::ZERO, |[first, latest]| self.say(latest, first));
+        (self.sum + closing).normalize_or_zero()
     }
 
-    /// Unit normal of the triangle between two arms, times its angle.
-    fn say(&self, a: DVec3, b: DVec3) -> DVec3 {
-        let normal = a.cross(b);
-        let double_area = normal.length();
-        let longest_squared = a.length_squared().max(b.length_squared()).max((b - a).length_squared());
-        let longest = longest_squared.sqrt();
-        // In units of length squared, so that nothing is divided by a height of zero.
-        let height = double_area - self.rounding * longest;
-        if height.is_nan() || height <= 0.0 {
-            return DVec3::ZERO;
+    /// Unit normal of the triangle between two arms, times its angle and its say.
+    fn say(&self, a: Arm, b: Arm) -> DVec3 {
+        let normal = a.direction.cross(b.direction);
+        let (sine, cosine) = (normal.length(), a.direction.dot(b.direction));
+        let product = a.length * b.length;
+        let (a_squared, b_squared) = (a.length * a.length, b.length * b.length);
+        let longest_squared = a_squared.max(b_squared).max(a_squared + b_squared - 2.0 * product * cosine);
+        // Height and length of the triangle, both times its length.
+        let (height, least) = (product * sine - self.rounding * (a.length + b.length), THIN * longest_squared);
+        if height >= least {
+            normal * angle_over_sine(sine, cosine)
+        } else if height > 0.0 {
+            normal * (angle_over_sine(sine, cosine) * (height / least))
+        } else {
+            DVec3::ZERO
         }
-        let share = (height / (THIN * longest_squared)).min(1.0);
-        normal * (share * angle(double_area, a.dot(b), (a.length_squared() * b.length_squared()).sqrt()) / double_area)
     }
 }
 
-/// The angle of which `sine` and `cosine` are given times `scale`, to 2e-8: a weight. (Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.46.)
-fn angle(sine: f64, cosine: f64, scale: f64) -> f64 {
+/// An angle over its sine, given that and its cosine; to 2e-8 of the angle, which is a weight (Abramowitz and Stegun, Handbook of
+/// Mathematical Functions, 4.4.46).
+fn angle_over_sine(sine: f64, cosine: f64) -> f64 {
     const TERMS: [f64; 8] = [
         1.570_796_305_0,
         -0.214_598_801_6,
@@ -78,11 +93,11 @@ fn angle(sine: f64, cosine: f64, scale: f64) -> f64 {
         0.006_670_090_1,
         -0.001_262_491_1,
     ];
-    let x = (cosine.abs() / scale).min(1.0);
+    let x = cosine.abs();
     let series = TERMS.iter().rev().fold(0.0, |sum, term| sum * x + term);
-    // √(1 − x) without its cancellation: sin² = (1 − x)(1 + x).
-    let acute = sine / scale / (1.0 + x).sqrt() * series;
-    if cosine < 0.0 { PI - acute } else { acute }
+    // The source has √(1 − x), which is sine / √(1 + x) and does not cancel.
+    let acute = series / (1.0 + x).sqrt();
+    if cosine < 0.0 { PI / sine - acute } else { acute }
 }
 
 #[cfg(test)]
@@ -91,9 +106,10 @@ mod tests {
 
     #[test]
     fn the_angle_is_that_of_sine_and_cosine() {
-        for step in 0..=1000 {
+        for step in 1..1000 {
             let expected = PI * f64::from(step) / 1000.0;
-            let found = angle(3.0 * libm::sin(expected), 3.0 * libm::cos(expected), 3.0);
+            let (sine, cosine) = (libm::sin(expected), libm::cos(expected));
+            let found = sine * angle_over_sine(sine, cosine);
             assert!((found - expected).abs() < 3e-8, "{expected}: {found}");
         }
     }

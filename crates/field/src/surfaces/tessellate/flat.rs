@@ -12,12 +12,8 @@ use super::{delaunay, soundness};
 /// How many steps of the tiling of its copies a tile needs around it: the widest gap between independent points is a few.
 const MARGIN: f64 = 12.0;
 
-pub(super) fn triangulated(
-    parameters: &[DVec2],
-    metric: &Metric,
-    ends: Ends,
-    layout: &Layout,
-) -> Option<Vec<[u32; 3]>> {
+pub(super) fn triangulated(parameters: &[DVec2], metric: &Metric, layout: &Layout) -> Option<Vec<[u32; 3]>> {
+    let ends = layout.ends;
     let conformal = metric.conformal_v();
     let size = DVec2::new(1.0, conformal.total() / layout.stretch);
     let scale = (1_u64 << 40) as f64 / size.max_element();
@@ -25,8 +21,7 @@ pub(super) fn triangulated(
     let place = |at: &DVec2| (DVec2::new(at.x, conformal.at(at.y) / layout.stretch) * scale).round();
     let tile: Vec<DVec2> = parameters.iter().map(place).collect();
 
-    let narrowest = metric.length_u.iter().copied().fold(f64::INFINITY, f64::min);
-    let mut margin = MARGIN * layout.spacing_u / narrowest * scale;
+    let mut margin = MARGIN * layout.spacing_u / metric.narrowest() * scale;
     loop {
         let triangles = tiled(&tile, period, margin, ends)?;
         if soundness::is_manifold(&triangles, parameters, ends) {

@@ -3,10 +3,11 @@
 use glam::DVec2;
 
 use super::Connected;
-use super::layout::{Ends, Layout};
+use super::layout::Layout;
 use super::points::with_poles;
 
-pub(super) fn connected(layout: &Layout, ends: Ends) -> Connected {
+pub(super) fn connected(layout: &Layout) -> Connected {
+    let ends = layout.ends;
     let lines: Vec<u32> = layout.lines().collect();
     let (steps_u, columns) = (layout.steps_u[0], layout.points_on(0));
     let mut parameters = vec![];

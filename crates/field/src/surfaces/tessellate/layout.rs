@@ -2,6 +2,7 @@
 
 use super::super::ParametricSurface;
 use super::metric::Metric;
+use super::{Pattern, Tessellation};
 
 /// What a surface does at the ends of its parameters; where nothing is said, it has a border.
 #[derive(Debug, Clone, Copy)]
@@ -33,19 +34,20 @@ pub(super) struct Layout {
     pub(super) spacing_u: f64,
     /// Extent along v over extent along u of a step.
     pub(super) stretch: f64,
-    ends: Ends,
+    /// What the surface does at its ends.
+    pub(super) ends: Ends,
 }
 
 impl Layout {
-    /// About `vertices` points, spread evenly by area, or with equally many on each line if `even`. None if the surface is so long or
-    /// so thin that this cannot be met within a factor of two.
-    pub(super) fn fit(metric: &Metric, ends: Ends, stretch: f64, vertices: u32, even: bool) -> Option<Self> {
-        let wanted = f64::from(vertices);
+    /// About as many points as the tessellation asks for, spread evenly by area, or with equally many on each line if it is regular.
+    /// None if the surface is so long or so thin that this cannot be met within a factor of two.
+    pub(super) fn fit(metric: &Metric, ends: Ends, tessellation: &Tessellation) -> Option<Self> {
+        let wanted = f64::from(tessellation.vertices);
         let mut spacing = (metric.total_area() / wanted).sqrt();
         let mut best: Option<Self> = None;
         // Borders, poles and rounding add points or take some away: a few corrections settle that.
         for _ in 0..8 {
-            let layout = Self::with_spacing(metric, ends, stretch, spacing, vertices, even);
+            let layout = Self::with_spacing(metric, ends, tessellation, spacing);
             let found = layout.count() as f64;
             let miss = |layout: &Self| (layout.count() as f64 - wanted).abs();
             if best.as_ref().is_none_or(|best| miss(&layout) < miss(best)) {
@@ -56,7 +58,9 @@ impl Layout {
         best.filter(|layout| (0.5..=2.0).contains(&(layout.count() as f64 / wanted)))
     }
 
-    fn with_spacing(metric: &Metric, ends: Ends, stretch: f64, spacing: f64, most: u32, even: bool) -> Self {
+    fn with_spacing(metric: &Metric, ends: Ends, tessellation: &Tessellation, spacing: f64) -> Self {
+        let even = matches!(tessellation.pattern, Pattern::Regular { .. });
+        let (stretch, most) = (tessellation.pattern.aspect(), tessellation.vertices);
         let (spacing_u, spacing_v) = (spacing / stretch.sqrt(), spacing * stretch.sqrt());
         let steps = |length: f64, least: u32| (libm::round(length.min(1e9)) as u32).clamp(least, most);
         let length_v = metric.along_v.total();

@@ -1,78 +1,70 @@
 //! Lengths and areas on a surface, tabulated over its parameters.
 
-use super::super::ParametricSurface;
+use super::super::{ParametricSurface, SurfaceJet};
 
-/// Cells of the table along u and along v: sixteen to each half-wave of the shortest waves a sheet may have would need eight times as
-/// many, but then the cells only spread vertices; they do not place them off the surface.
+/// Cells of the table along u and along v. They say where vertices go, so coarse cells cost evenness and nothing else.
 const CELLS: usize = 256;
 
 /// What a unit of u and of v is worth on the surface, by rows of equal v.
 pub(super) struct Metric {
     /// Mean |∂u|, by row.
-    pub(super) length_u: Vec<f64>,
+    length_u: Vec<f64>,
     /// Mean |∂v|, by row.
     length_v: Vec<f64>,
-    /// Mean |∂u × ∂v|, by row.
-    area: Vec<f64>,
-    /// Row by row, |∂u × ∂v| in the middle of each cell.
-    density: Vec<f64>,
+    /// Area along u, by row.
+    area: Vec<Cumulative>,
     /// Mean length along v.
     pub(super) along_v: Cumulative,
 }
 
 impl Metric {
     pub(super) fn of(surface: &ParametricSurface) -> Self {
-        let middle = |cell: usize| (cell as f64 + 0.5) / CELLS as f64;
-        let (mut length_u, mut length_v, mut area, mut density) = (vec![], vec![], vec![], vec![]);
-        for row in 0..CELLS {
-            let mut sums = [0.0; 3];
-            for column in 0..CELLS {
-                let jet = surface.jet(middle(column), middle(row));
-                let values = [jet.du.length(), jet.dv.length(), jet.area_density()];
-                for (sum, value) in sums.iter_mut().zip(values) {
-                    *sum += value / CELLS as f64;
-                }
-                density.push(values[2]);
-            }
-            length_u.push(sums[0]);
-            length_v.push(sums[1]);
-            area.push(sums[2]);
+        let (mut length_u, mut length_v, mut area) = (vec![], vec![], vec![]);
+        for v in middles() {
+            let jets: Vec<SurfaceJet> = middles().map(|u| surface.jet(u, v)).collect();
+            length_u.push(jets.iter().map(|jet| jet.du.length()).sum::<f64>() / CELLS as f64);
+            length_v.push(jets.iter().map(|jet| jet.dv.length()).sum::<f64>() / CELLS as f64);
+            area.push(Cumulative::of(jets.iter().map(SurfaceJet::area_density)));
         }
         let along_v = Cumulative::of(length_v.iter().copied());
-        Self { length_u, length_v, area, density, along_v }
+        Self { length_u, length_v, area, along_v }
     }
 
     /// The area of the surface.
     pub(super) fn total_area(&self) -> f64 {
-        self.area.iter().sum::<f64>() / CELLS as f64
+        self.area_along_v().total()
     }
 
     /// How wide the surface is across the direction of v, along u, at `v`.
     pub(super) fn width_at(&self, v: f64) -> f64 {
         let row = cell_of(v);
-        self.area[row] / self.length_v[row]
+        self.area[row].total() / self.length_v[row]
+    }
+
+    /// The least mean length along u.
+    pub(super) fn narrowest(&self) -> f64 {
+        self.length_u.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
     /// Area along u in the row at `v`.
-    pub(super) fn area_along_row(&self, v: f64) -> Cumulative {
-        let first = cell_of(v) * CELLS;
-        Cumulative::of(self.density[first..first + CELLS].iter().copied())
+    pub(super) fn area_along_row(&self, v: f64) -> &Cumulative {
+        &self.area[cell_of(v)]
     }
 
     /// Area along v, row by row.
     pub(super) fn area_along_v(&self) -> Cumulative {
-        Cumulative::of(self.area.iter().copied())
+        Cumulative::of(self.area.iter().map(Cumulative::total))
     }
 
     /// The chart's coordinate along v, in units of the range of u: dv |∂v| / |∂u|.
     pub(super) fn conformal_v(&self) -> Cumulative {
         Cumulative::of(self.length_v.iter().zip(&self.length_u).map(|(v, u)| v / u))
     }
+}
 
-    /// Length along the border at `v`, or at `u` where `v` is none.
-    pub(super) fn border(length: impl Fn(f64) -> f64) -> Cumulative {
-        Cumulative::of((0..CELLS).map(|cell| length((cell as f64 + 0.5) / CELLS as f64)))
-    }
+/// The middles of the cells.
+fn middles() -> impl Iterator<Item = f64> {
+    (0..CELLS).map(|cell| (cell as f64 + 0.5) / CELLS as f64)
 }
 
 /// The cell that a parameter from 0 to 1 lies in.
@@ -84,6 +76,12 @@ fn cell_of(parameter: f64) -> usize {
 pub(super) struct Cumulative(Vec<f64>);
 
 impl Cumulative {
+    /// Of a function, by its values in the middles of the cells.
+    pub(super) fn of_function(density: impl Fn(f64) -> f64) -> Self {
+        Self::of(middles().map(density))
+    }
+
+    /// Of one value per cell.
     fn of(densities: impl Iterator<Item = f64>) -> Self {
         let mut sum = 0.0;
         let mut nodes = vec![0.0];

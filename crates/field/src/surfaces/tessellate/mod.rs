@@ -55,8 +55,8 @@ pub struct Tessellation {
     pub uv_seam: bool,
 }
 
-/// How vertices lie and are joined. Aspects, 1 to 1000, are long over short side; the long side runs along the lines of the surface
-/// that bend least: along u on a torus, along v elsewhere.
+/// How vertices lie and are joined. Aspects, 1 to 1000, are long over short side. The long side runs along v, whose lines are geodesics
+/// on surfaces of revolution and the helicoid: along others, as around a torus, long triangles would fold over.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Pattern {
@@ -67,11 +67,12 @@ pub enum Pattern {
     },
     /// One point in the middle 80 % of each cell of an even tiling, then Delaunay.
     Jittered,
-    /// Points spread evenly by area without regard for each other, then Delaunay: slivers included.
+    /// Points spread evenly by area without regard for each other, then Delaunay. Slivers are included, and of those along a border that
+    /// bends a few may be folded over.
     Random,
-    /// As jittered, on a surface that was shortened across the lines and is then drawn out again: long thin triangles.
+    /// As jittered, but on a surface that is shortened along v and then drawn out again: long thin triangles.
     LongThin {
-        /// How much.
+        /// By how much.
         aspect: f64,
     },
 }
@@ -108,50 +109,38 @@ impl ParametricSurface {
             return Err(unsound());
         }
         if !ends.closed_u {
-            return self.finished(&connected, Some(connected.parameters.clone()));
+            let uvs = connected.parameters.clone();
+            return self.finished(connected, Some(uvs));
         }
         if tessellation.uv_seam {
             let (cut, uvs) = seam::cut(&connected, ends);
-            return self.finished(&cut, Some(uvs));
+            return self.finished(cut, Some(uvs));
         }
-        self.finished(&connected, None)
+        self.finished(connected, None)
     }
 
     /// Points and triangles; none if too few points were asked for.
     fn connected(&self, tessellation: &Tessellation) -> Option<Connected> {
-        let (metric, ends) = (Metric::of(self), Ends::of(self));
-        let stretch = self.stretch(tessellation.pattern);
-        let even = matches!(tessellation.pattern, Pattern::Regular { .. });
-        let layout = Layout::fit(&metric, ends, stretch, tessellation.vertices, even)?;
+        let metric = Metric::of(self);
+        let layout = Layout::fit(&metric, Ends::of(self), tessellation)?;
         let mut random = Random::new(tessellation.seed);
         let parameters = match tessellation.pattern {
-            Pattern::Regular { .. } => return Some(grid::connected(&layout, ends)),
-            Pattern::Jittered | Pattern::LongThin { .. } => points::jittered(&layout, &metric, ends, &mut random),
-            Pattern::Random => points::independent(self, &layout, &metric, ends, tessellation.vertices, &mut random),
+            Pattern::Regular { .. } => return Some(grid::connected(&layout)),
+            Pattern::Jittered | Pattern::LongThin { .. } => points::jittered(&layout, &metric, &mut random),
+            Pattern::Random => points::independent(self, &layout, &metric, tessellation.vertices, &mut random),
         };
-        let triangles = if ends.poles {
-            polar::triangulated(&parameters, stretch)?
+        let triangles = if layout.ends.poles {
+            polar::triangulated(&parameters, layout.stretch)?
         } else {
-            flat::triangulated(&parameters, &metric, ends, &layout)?
+            flat::triangulated(&parameters, &metric, &layout)?
         };
         Some(Connected { parameters, triangles })
     }
 
-    /// Extent along v over extent along u of a cell of the tiling.
-    fn stretch(&self, pattern: Pattern) -> f64 {
-        match pattern {
-            Pattern::Jittered | Pattern::Random => 1.0,
-            Pattern::Regular { aspect } | Pattern::LongThin { aspect } if matches!(self, Self::Torus { .. }) => {
-                1.0 / aspect
-            }
-            Pattern::Regular { aspect } | Pattern::LongThin { aspect } => aspect,
-        }
-    }
-
-    fn finished(&self, connected: &Connected, uvs: Option<Vec<DVec2>>) -> Result<TessellatedSurface, FieldError> {
-        let parameters = connected.parameters.clone();
+    fn finished(&self, connected: Connected, uvs: Option<Vec<DVec2>>) -> Result<TessellatedSurface, FieldError> {
+        let Connected { parameters, triangles } = connected;
         let positions = parameters.iter().map(|at| self.jet(at.x, at.y).position).collect();
-        let mesh = Mesh::new(positions, connected.triangles.clone())?;
+        let mesh = Mesh::new(positions, triangles)?;
         let mesh = match uvs {
             Some(uvs) => mesh.with_uvs(uvs)?,
             None => mesh,
@@ -168,11 +157,16 @@ impl Tessellation {
     pub fn validate(&self) -> Result<(), FieldError> {
         let check = Check("tessellation");
         check.within("vertices", f64::from(self.vertices), 16.0..=4_194_304.0, "a number from 16 to 4194304")?;
-        match self.pattern {
-            Pattern::Regular { aspect } | Pattern::LongThin { aspect } => {
-                check.within("aspect", aspect, 1.0..=1000.0, "a ratio from 1 to 1000")
-            }
-            Pattern::Jittered | Pattern::Random => Ok(()),
+        check.within("aspect", self.pattern.aspect(), 1.0..=1000.0, "a ratio from 1 to 1000")
+    }
+}
+
+impl Pattern {
+    /// Extent along v over extent along u of a cell of the tiling.
+    fn aspect(self) -> f64 {
+        match self {
+            Self::Jittered | Self::Random => 1.0,
+            Self::Regular { aspect } | Self::LongThin { aspect } => aspect,
         }
     }
 }

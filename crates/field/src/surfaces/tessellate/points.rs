@@ -13,7 +13,8 @@ use super::metric::{Cumulative, Metric};
 const JITTER: f64 = 0.4;
 
 /// One point per cell of the tiling.
-pub(super) fn jittered(layout: &Layout, metric: &Metric, ends: Ends, random: &mut Random) -> Vec<DVec2> {
+pub(super) fn jittered(layout: &Layout, metric: &Metric, random: &mut Random) -> Vec<DVec2> {
+    let ends = layout.ends;
     let mut points = vec![];
     for line in layout.lines() {
         let steps = layout.steps_u[line as usize];
@@ -46,11 +47,11 @@ pub(super) fn independent(
     surface: &ParametricSurface,
     layout: &Layout,
     metric: &Metric,
-    ends: Ends,
     vertices: u32,
     random: &mut Random,
 ) -> Vec<DVec2> {
-    let mut points = on_borders(surface, layout, ends, random);
+    let ends = layout.ends;
+    let mut points = on_borders(surface, layout, random);
     let taken = points.len() as u32 + if ends.poles { 2 } else { 0 };
     let along_v = metric.area_along_v();
     for _ in taken..vertices {
@@ -62,8 +63,9 @@ pub(super) fn independent(
     with_poles(points, ends)
 }
 
-/// Corners, then points spread evenly by length along each border.
-fn on_borders(surface: &ParametricSurface, layout: &Layout, ends: Ends, random: &mut Random) -> Vec<DVec2> {
+/// Points spread evenly by length along each border, then the corners.
+fn on_borders(surface: &ParametricSurface, layout: &Layout, random: &mut Random) -> Vec<DVec2> {
+    let ends = layout.ends;
     let mut points = vec![];
     let mut spread = |count: u32, along: &Cumulative, place: &dyn Fn(f64) -> DVec2| {
         points.extend((0..count).map(|_| place(along.inverse(random.unit()))));
@@ -71,11 +73,11 @@ fn on_borders(surface: &ParametricSurface, layout: &Layout, ends: Ends, random: 
     for end in [0.0, 1.0] {
         if ends.open_v() {
             let steps = layout.steps_u[if end == 0.0 { 0 } else { layout.steps_v as usize }];
-            let along = Metric::border(|u| surface.jet(u, end).du.length());
+            let along = Cumulative::of_function(|u| surface.jet(u, end).du.length());
             spread(if ends.closed_u { steps } else { steps - 1 }, &along, &|u| DVec2::new(u, end));
         }
         if !ends.closed_u {
-            let along = Metric::border(|v| surface.jet(end, v).dv.length());
+            let along = Cumulative::of_function(|v| surface.jet(end, v).dv.length());
             spread(layout.steps_v - 1, &along, &|v| DVec2::new(end, v));
         }
     }

@@ -3,6 +3,8 @@
 //! A published vector never changes. The vectors are the conformance suite: a reader in any language must read those in
 //! the folder itself to the values that `tests/vectors.rs` states, and refuse those under `refused/`.
 
+mod curvature;
+
 use core::f64::consts::FRAC_PI_4;
 use core::ops::Range;
 use std::vec;
@@ -19,6 +21,8 @@ use crate::{
     HeightTable, HorizonTable, LengthUnit, MAX_ELEVATION, MAX_SECTIONS, RawSection, SectionKind, SkyVisibilityTable,
     SweptDistanceTable, SweptHorizonTable, TableGrid, Wrap, WriteError, crc,
 };
+
+pub use curvature::{CURVED, CurvedVertex, PRINCIPAL};
 
 /// One published file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,6 +57,9 @@ pub fn all() -> Result<Vec<Vector>, WriteError> {
         vector("sky-f32", sky(Encoding::F32)?),
         vector("sky-f16", sky(Encoding::F16)?),
         vector("sky-compact", sky(Encoding::Compact)?),
+        vector("curvature-f32", curvature::everything(Encoding::F32)?),
+        vector("curvature-f16", curvature::everything(Encoding::F16)?),
+        vector("curvature-principal", curvature::principal()?),
         vector("unknown-ancillary", with_note(false)?),
         vector("newer-minor", newer_minor()?),
         vector("refused/unknown-critical", with_note(true)?),
