@@ -36,7 +36,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use barchan_asset::{CurvatureSweep, Encoding};
 use barchan_bakers::Exec;
 use barchan_bakers::horizon::{Azimuths, HorizonParams, Method};
-use barchan_shade::{BaseSurface, CurvedMethod, CurvedShadow, DisplacedShadow, Place, Surface, TangentLight};
+use barchan_shade::{BaseSurface, CurvedMethod, CurvedShadow, DisplacedShadow, Place, Surface};
 use glam::{DVec2, DVec3};
 
 use crate::figures::{self, Figure};
@@ -55,6 +55,9 @@ const HALVINGS: u32 = 15;
 
 /// Under which sun times are taken.
 const TIMED_ELEVATION: f64 = 10.0;
+
+/// Pixels across and down of the part of a picture that is timed.
+const TIMED_PIXELS: u32 = 64;
 
 /// Of this many places one is traced when times are taken.
 const TRACED_SHARE: usize = 20;
@@ -129,7 +132,7 @@ pub fn measure(study: &Shadows<'_>, figures: &[Figure], observe: &mut Observer<'
                 records.extend(errors(figure, &tables, truth, method));
             }
         }
-        records.extend(study.times(figure, &tables, &truths[1])?);
+        records.extend(study.times(figure, &tables)?);
     }
     Ok(records)
 }
@@ -157,34 +160,23 @@ impl Shadows<'_> {
         Truth { kind, views, horizons }
     }
 
-    /// Each method, and tracing, under one sun.
-    fn times(&self, figure: &Figure, tables: &Tables, truth: &Truth) -> Result<Vec<Record>, StudyError> {
+    /// Each method, and tracing, of a part of a picture.
+    fn times(&self, figure: &Figure, tables: &Tables) -> Result<Vec<Record>, StudyError> {
         let oracle = DisplacedShadow::new(&*figure.base, &tables.surface, f64::INFINITY);
-        let suns: Vec<DVec3> = truth.views.iter().map(|view| view.sun(TIMED_ELEVATION.to_radians())).collect();
-        let extent = tables.shadow.extent();
-        let lights: Vec<_> = truth
-            .views
-            .iter()
-            .zip(&suns)
-            .map(|(view, &sun)| TangentLight::new(&view.place.frame, sun, extent))
-            .collect();
-        let lights: &[TangentLight] = &lights;
+        let (sun, pixels) = pixels(figure, &tables.surface);
+        let pixels: &[(Place, f64)] = &pixels;
         let by_table = |method: CurvedMethod| {
-            let decide = move || -> Vec<bool> {
-                let lit = truth.views.iter().zip(lights);
-                lit.map(|(view, light)| tables.shadow.in_shadow(method, view.place.texel, light, view.curvature))
-                    .collect()
+            let decide = move |(place, curvature): &(Place, f64)| {
+                tables.shadow.in_shadow(method, place.texel, &place.light, *curvature)
             };
-            Contestant { name: format!("{method} shadow tests"), work: Box::new(move || Ok(decide())) }
+            let work = Box::new(move || Ok(pixels.iter().map(decide).collect()));
+            Contestant { name: format!("{method} shadow tests"), work }
         };
-        let traced = || -> Vec<bool> {
-            let all = truth.views.iter().zip(&suns).step_by(TRACED_SHARE);
-            all.map(|(view, &sun)| oracle.in_shadow(view.place.uv, sun)).collect()
-        };
+        let traced = || pixels.iter().step_by(TRACED_SHARE).map(|(place, _)| oracle.in_shadow(place.uv, sun)).collect();
         let mut contestants: Vec<Contestant<'_, Vec<bool>>> = CurvedMethod::ALL.map(by_table).into();
         contestants.push(Contestant { name: "traced shadow tests".to_owned(), work: Box::new(|| Ok(traced())) });
         let timings = race(&mut contestants, &self.pace, &mut |_| ())?;
-        let all = truth.views.len();
+        let all = pixels.len();
         let names = CurvedMethod::ALL.map(|method| (method.to_string(), all));
         let names = names.into_iter().chain([("traced".to_owned(), all.div_ceil(TRACED_SHARE))]);
         let record = |((name, places), timing): ((String, usize), &_)| {
@@ -194,6 +186,24 @@ impl Shadows<'_> {
         };
         Ok(names.zip(&timings).map(record).collect())
     }
+}
+
+/// Neighbouring places in the middle of a figure, two to a texel, row by row, under one sun, and the curvature towards it.
+fn pixels(figure: &Figure, surface: &Surface) -> (DVec3, Vec<(Place, f64)>) {
+    let grid = figure.relief.field.grid();
+    let middle = 0.5 * (figure.part.0 + figure.part.1);
+    let frame = figure.base.point(middle).frame;
+    let (sin, cos) = libm::sincos(TIMED_ELEVATION.to_radians());
+    let sun = frame.along_u.normalize() * cos + frame.normal * sin;
+    let pixel = |row: u32, column: u32| {
+        let texels = DVec2::new(f64::from(column), f64::from(row)) * 0.5;
+        let uv = middle + texels / DVec2::new(f64::from(grid.width), f64::from(grid.height));
+        let place = Place::new(&*figure.base, surface, uv, sun);
+        let direction = place.light.direction;
+        (place, figure.forms_at(uv).along(direction.x, direction.y))
+    };
+    let rows = (0..TIMED_PIXELS).flat_map(|row| (0..TIMED_PIXELS).map(move |column| (row, column)));
+    (sun, rows.map(|(row, column)| pixel(row, column)).collect())
 }
 
 impl Kind {
