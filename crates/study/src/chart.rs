@@ -173,3 +173,48 @@ fn drawn(size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Drawing) -> Result<St
         Err(error) => Err(StudyError::Chart { message: error.to_string() }),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn heat(cells: Vec<Vec<Option<f64>>>) -> String {
+        let steps =
+            |name: &str, count: usize| (name.to_owned(), (0..count).map(|step| format!("step {step}")).collect());
+        let across = steps("width", cells[0].len());
+        let up = steps("height", cells.len());
+        HeatChart { title: "a & b".to_owned(), across, up, cells, full: 2.0 }.svg().unwrap()
+    }
+
+    #[test]
+    fn cells_are_blue_above_zero_red_below_and_full_at_most() {
+        let svg = heat(vec![vec![Some(1.0), Some(-9.0), Some(-0.01), None]]);
+        assert_eq!(svg.matches("#0072B2").count(), 1);
+        assert!(svg.contains("fill=\"#D55E00\"") && svg.contains("−9.0"), "{svg}");
+        // Rounded to nothing is nothing, of either sign; what was not measured has no cell.
+        assert!(svg.contains("0.0") && !svg.contains("−0.0"));
+        assert_eq!(svg.matches("<rect").count(), 1 + 3);
+    }
+
+    #[test]
+    fn words_are_text_and_may_be_any() {
+        let svg = heat(vec![vec![Some(0.0)]]);
+        assert!(svg.contains("a &amp; b") && svg.contains("width") && svg.contains("height"), "{svg}");
+    }
+
+    #[test]
+    fn every_curve_is_drawn_and_named() {
+        let curve = |name: &str, top| Curve { name: name.to_owned(), points: vec![(0.0, 0.0), (1.0, top)] };
+        let words = ["title", "right", "up"].map(str::to_owned);
+        let [title, across, up] = words.clone();
+        let svg = LineChart { title, across, up, curves: vec![curve("low", 1.0), curve("high", 2.0)] }.svg().unwrap();
+        assert!(words.iter().all(|word| svg.contains(word.as_str())));
+        assert!(svg.contains("low") && svg.contains("high") && svg.contains("#000000") && svg.contains("#D55E00"));
+    }
+
+    #[test]
+    fn a_chart_of_nothing_is_still_a_chart() {
+        let empty = LineChart { title: String::new(), across: String::new(), up: String::new(), curves: Vec::new() };
+        assert!(empty.svg().unwrap().starts_with("<svg"));
+    }
+}

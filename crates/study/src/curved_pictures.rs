@@ -8,9 +8,10 @@ use barchan_bakers::Exec;
 use barchan_shade::{BaseSurface, Camera, CurvedMethod, CurvedPixels, DisplacedShadow, Lens, Palette, Picture};
 use glam::DVec3;
 
+use crate::figure_tables::FigureTables;
 use crate::figures::{self, Figure};
 use crate::runner::{Observer, Step};
-use crate::{Scale, StudyError, curved_shadow};
+use crate::{Scale, StudyError};
 
 /// White pixels between pictures.
 const GAP: u32 = 6;
@@ -98,7 +99,7 @@ impl Shot {
         let height = (self.aspect * f64::from(size)).round() as u32;
         let camera = Camera { eye, target, up: DVec3::Z, lens, width: size, height };
         let (base, light): (&dyn BaseSurface, _) = (&*figure.base, self.light.normalize());
-        let tables = curved_shadow::tables(figure, exec)?;
+        let tables = FigureTables::bake(figure, exec)?;
         let pixels = CurvedPixels::new(&camera, base, &tables.surface, light);
         let oracle = DisplacedShadow::new(base, &tables.surface, f64::INFINITY);
         let by_table = |method: CurvedMethod| {

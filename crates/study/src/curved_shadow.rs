@@ -33,19 +33,16 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use barchan_asset::{CurvatureSweep, Encoding};
 use barchan_bakers::Exec;
-use barchan_bakers::horizon::{Azimuths, HorizonParams, Method};
-use barchan_shade::{BaseSurface, CurvedMethod, CurvedShadow, DisplacedShadow, Place, Surface};
+use barchan_shade::{BaseSurface, CurvedMethod, DisplacedShadow, Place, Surface};
 use glam::{DVec2, DVec3};
 
+use crate::figure_tables::FigureTables;
 use crate::figures::{self, Figure};
-use crate::reading::MOST_POINTS;
 use crate::runner::{Observer, Step};
 use crate::sample::unit;
-use crate::tables::StoredPoints;
 use crate::timer::{Contestant, Pace, race};
-use crate::{Item, Norms, Quantity, Record, Scale, Setting, StudyError, points, tables};
+use crate::{Item, Norms, Quantity, Record, Scale, Setting, StudyError};
 
 /// Elevations of the suns above the base's tangent plane, degrees.
 const ELEVATIONS: [f64; 9] = [-20.0, -10.0, -5.0, 0.0, 5.0, 10.0, 20.0, 30.0, 45.0];
@@ -96,14 +93,6 @@ struct Truth {
     horizons: Vec<f64>,
 }
 
-/// What a run time has of a figure.
-pub(crate) struct Tables {
-    pub(crate) surface: Surface,
-    pub(crate) shadow: CurvedShadow,
-    /// Of heights, and of each further point.
-    bytes: (u64, u64),
-}
-
 /// The study and its figures.
 ///
 /// # Errors
@@ -124,7 +113,7 @@ pub fn measure(study: &Shadows<'_>, figures: &[Figure], observe: &mut Observer<'
     let mut records = Vec::new();
     for (done, figure) in figures.iter().enumerate() {
         observe(&Step { done, total: figures.len(), what: &figure.relief.name });
-        let tables = tables(figure, study.exec)?;
+        let tables = FigureTables::bake(figure, study.exec)?;
         let truths = [Kind::Centres, Kind::Anywhere].map(|kind| study.truth(figure, &tables.surface, kind));
         for truth in &truths {
             records.extend(truth.lit(figure));
@@ -137,21 +126,6 @@ pub fn measure(study: &Shadows<'_>, figures: &[Figure], observe: &mut Observer<'
     Ok(records)
 }
 
-/// The tables of a figure, as a file stores them.
-pub(crate) fn tables(figure: &Figure, exec: &Exec<'_>) -> Result<Tables, StudyError> {
-    let (field, range) = (&figure.relief.field, figure.range);
-    let azimuths = Azimuths::full_circle(figure.directions);
-    let params = HorizonParams { azimuths, radius: figure.radius, distance: true, method: Method::default() };
-    let baked = points::bake(field, &params, range, 0..figure.directions, exec)?;
-    let sweep = CurvatureSweep { candidates: MOST_POINTS - 1, curvature_min: range.min, curvature_max: range.max };
-    let stored = StoredPoints::new(field.grid(), figure.radius, sweep, &baked, Encoding::Compact)?;
-    Ok(Tables {
-        surface: tables::surface(field)?,
-        shadow: stored.curved_shadow(field)?,
-        bytes: (field.grid().texels() as u64, stored.bytes() / u64::from(MOST_POINTS)),
-    })
-}
-
 impl Shadows<'_> {
     fn truth(&self, figure: &Figure, surface: &Surface, kind: Kind) -> Truth {
         let oracle = DisplacedShadow::new(&*figure.base, surface, f64::INFINITY);
@@ -161,7 +135,7 @@ impl Shadows<'_> {
     }
 
     /// Each method, and tracing, of a part of a picture.
-    fn times(&self, figure: &Figure, tables: &Tables) -> Result<Vec<Record>, StudyError> {
+    fn times(&self, figure: &Figure, tables: &FigureTables) -> Result<Vec<Record>, StudyError> {
         let oracle = DisplacedShadow::new(&*figure.base, &tables.surface, f64::INFINITY);
         let (sun, pixels) = pixels(figure, &tables.surface);
         let pixels: &[(Place, f64)] = &pixels;
@@ -285,12 +259,12 @@ impl Truth {
 }
 
 /// What a method gets wrong, under each sun and over all.
-fn errors(figure: &Figure, tables: &Tables, truth: &Truth, method: CurvedMethod) -> Vec<Record> {
+fn errors(figure: &Figure, tables: &FigureTables, truth: &Truth, method: CurvedMethod) -> Vec<Record> {
     let find =
         |view: &View| tables.shadow.elevation_radians(method, view.place.texel, &view.place.light, view.curvature);
     let found: Vec<f64> = truth.views.iter().map(find).map(f64::to_degrees).collect();
     let expected: Vec<f64> = truth.horizons.iter().map(|horizon| horizon.to_degrees()).collect();
-    let bytes = Some(tables.bytes.0 + u64::from(method.points()) * tables.bytes.1);
+    let bytes = Some(tables.bytes(method));
     let name = method.to_string();
     let under = |sun: f64| {
         let is_wrong = |(found, expected): &(&f64, &f64)| (sun < **found) != (sun < **expected);

@@ -17,7 +17,9 @@
 //!
 //! Nothing here prints, and nothing but [`Machine::this`] opens a file: fields come in, records and text go out. The
 //! program behind `cargo xtask bench` is the example `study`. A technique is studied in a file of its own, named after
-//! it: [`horizon_speed`], [`horizon_accuracy`], [`horizon_shadow`]; how its records read in the docs is in [`report`].
+//! it: [`horizon_speed`], [`horizon_accuracy`], [`horizon_shadow`], [`horizon_curvature`] of height fields,
+//! [`curved_effect`], [`curved_shadow`] of relief on curved surfaces, [`curvature_accuracy`], [`curvature_speed`],
+//! [`curvature_interpolation`] of meshes; how its records read in the docs is in [`report`], and as pictures in [`chart`].
 
 pub mod bandwidth;
 pub mod chart;
@@ -30,6 +32,7 @@ pub mod curved_effect;
 pub mod curved_pictures;
 pub mod curved_shadow;
 mod error;
+mod figure_tables;
 pub mod figures;
 pub mod horizon_accuracy;
 pub mod horizon_curvature;

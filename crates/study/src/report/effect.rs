@@ -13,10 +13,17 @@ const BUMPS: &str = "bumps of ";
 const GAINS: [(CurvedMethod, &str); 2] =
     [(CurvedMethod::Paper, "curved_effect_paper"), (CurvedMethod::Exact(3), "curved_effect_swept")];
 
-/// The pictures of relief of many scales: what is read of a record, its name, what runs up.
-const SCALES: [(fn(&Record) -> Option<f64>, &str, &str); 2] = [
-    (|record| Some(100.0 * record.wrong_share?), "curved_scales_wrong", "wrong shadows, %"),
-    (|record| record.rms, "curved_scales_rms", "error of the horizon, ° RMS"),
+/// A picture of relief of many scales.
+struct Over {
+    name: &'static str,
+    /// What runs up.
+    up: &'static str,
+    of: fn(&Record) -> Option<f64>,
+}
+
+const SCALES: [Over; 2] = [
+    Over { name: "curved_scales_wrong", up: "wrong shadows, %", of: |record| Some(100.0 * record.wrong_share?) },
+    Over { name: "curved_scales_rms", up: "error of the horizon, ° RMS", of: |record| record.rms },
 ];
 
 /// Full colour: this share of shadows, in percent.
@@ -38,7 +45,7 @@ pub(super) fn render(file: &RecordFile) -> String {
 
 pub(super) fn charts(file: &RecordFile) -> Result<Vec<(&'static str, String)>, StudyError> {
     let gains = GAINS.map(|(method, name)| Ok((name, gain(file, method).svg()?)));
-    let scales = SCALES.map(|(of, name, up)| Ok((name, over_curvature(file, of, up).svg()?)));
+    let scales = SCALES.map(|over| Ok((over.name, over_curvature(file, &over).svg()?)));
     gains.into_iter().chain(scales).collect()
 }
 
@@ -60,16 +67,17 @@ fn gain(file: &RecordFile, method: CurvedMethod) -> HeatChart {
     }
 }
 
-fn over_curvature(file: &RecordFile, of: fn(&Record) -> Option<f64>, up: &str) -> LineChart {
+fn over_curvature(file: &RecordFile, over: &Over) -> LineChart {
     let curvatures = distinct(scales(file).map(curvature));
     let curve = |method: CurvedMethod| {
-        let point = |curvature: &&str| Some((curvature.parse().ok()?, of(find(scales(file), curvature, method)?)?));
+        let point =
+            |curvature: &&str| Some((curvature.parse().ok()?, (over.of)(find(scales(file), curvature, method)?)?));
         Curve { name: reading::title(method).to_owned(), points: curvatures.iter().filter_map(point).collect() }
     };
     LineChart {
         title: "Fractal terrain on a curved base".to_owned(),
         across: "curvature κ of the base, per unit".to_owned(),
-        up: up.to_owned(),
+        up: over.up.to_owned(),
         curves: CurvedMethod::ALL.into_iter().map(curve).collect(),
     }
 }
@@ -138,7 +146,7 @@ mod tests {
         let charts = charts(&file()).unwrap();
         assert_eq!(
             charts.iter().map(|(name, _)| *name).collect::<Vec<_>>(),
-            [GAINS[0].1, GAINS[1].1, SCALES[0].1, SCALES[1].1]
+            [GAINS[0].1, GAINS[1].1, SCALES[0].name, SCALES[1].name]
         );
         assert!(charts[1].1.contains("20.0") && charts[2].1.contains("paper, corrected"));
     }
