@@ -11,7 +11,9 @@ pub(super) fn render(file: &RecordFile) -> String {
     for record in file.records.iter().filter(|record| record.scene != FAN) {
         let rate = |ns: Option<f64>| or_none(ns.map(|ns| 1e3 / ns), short);
         let threads = record.setting.get("threads").unwrap_or_default();
-        let words = format!("{}, {} vertices, {}, {threads} threads", record.scene, record.width, method(record));
+        let plural = if threads == "1" { "" } else { "s" };
+        let words =
+            format!("{}, {} vertices, {}, {threads} thread{plural}", record.scene, record.width, method(record));
         table.push(vec![words, rate(record.core_ns()), rate(record.wall_ns)]);
     }
     let methods = distinct(file.records.iter().map(method));
