@@ -160,12 +160,15 @@ fn a_missing_file_is_the_systems_fault_and_named() {
         let message = place.fails(4, words);
         assert_eq!(message, format!("{}: {missing}", words.split(' ').nth(1).unwrap()));
     }
-    let needed = "there is no such file; a PNG, EXR, TIFF or NPY file is needed";
+    let needed = "there is no such file; a PNG, EXR, TIFF, NPY, OBJ, PLY or glTF file is needed";
     assert_eq!(place.fails(4, "bake none.png"), format!("none.png: {needed}"));
     place.write("a.ron", "(source: HeightMap(path: \"maps/none.tif\"))");
     assert_eq!(place.fails(4, "bake a.ron"), format!("maps/none.tif: {needed}"));
     assert_eq!(place.fails(4, "inspect ."), ".: this is a folder; a .barchan file is needed");
-    assert_eq!(place.fails(4, "bake . -o x"), ".: this is a folder; a PNG, EXR, TIFF or NPY file is needed");
+    assert_eq!(
+        place.fails(4, "bake . -o x"),
+        ".: this is a folder; a PNG, EXR, TIFF, NPY, OBJ, PLY or glTF file is needed"
+    );
 }
 
 #[cfg(unix)]

@@ -52,7 +52,8 @@ impl Mesh {
         Ok(self)
     }
 
-    /// The mesh with normals as a file states them, one per vertex, of any length but zero; they say where edges are hard.
+    /// The mesh with normals as a file states them, one per vertex, of any length; they say where edges are hard. One of
+    /// no length says nothing.
     ///
     /// # Errors
     /// Another number of them, or one that is not finite.

@@ -1,13 +1,13 @@
-//! Why a file did not become a height field. Each message is one sentence.
+//! Why a file did not become a height field or a mesh. Each message is one sentence.
 
 use std::{fmt, io, path::PathBuf};
 
 use barchan_field::FieldError;
 use thiserror::Error;
 
-use crate::Format;
+use crate::{Format, MeshError, detect::ALL};
 
-/// Why a file on disk did not become a height field; the message begins with its path.
+/// Why a file on disk did not become a height field or a mesh; the message begins with its path.
 #[derive(Debug, Error)]
 pub enum ImportError {
     /// The file could not be read. The `cause` is part of the message.
@@ -18,7 +18,7 @@ pub enum ImportError {
         /// What the operating system said.
         cause: io::Error,
     },
-    /// The file was read, but its content is not a usable height map. The `cause` is part of the message.
+    /// The file was read, but its content is not usable. The `cause` is part of the message.
     #[error("{}: {cause}", .path.display())]
     Content {
         /// The path as given.
@@ -39,24 +39,29 @@ impl ImportError {
 fn io_message(path: &std::path::Path, cause: &io::Error) -> String {
     let path = path.display();
     match cause.kind() {
-        io::ErrorKind::NotFound => format!("{path}: there is no such file; a PNG, EXR, TIFF or NPY file is needed"),
-        io::ErrorKind::IsADirectory => format!("{path}: this is a folder; a PNG, EXR, TIFF or NPY file is needed"),
+        io::ErrorKind::NotFound => format!("{path}: there is no such file; {ALL} is needed"),
+        io::ErrorKind::IsADirectory => format!("{path}: this is a folder; {ALL} is needed"),
         _ => format!("{path}: the file cannot be read ({cause})"),
     }
 }
 
-/// Why bytes did not become a height field. Columns and rows count from 0 at the top left.
+/// Why bytes did not become a height field or a mesh. Columns and rows count from 0 at the top left.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DecodeError {
     /// There are no bytes.
-    #[error("the file is empty; a PNG, EXR, TIFF or NPY file is needed")]
-    EmptyFile,
+    #[error("the file is empty; {needed} is needed")]
+    EmptyFile {
+        /// The kinds of file that would do.
+        needed: &'static str,
+    },
     /// The first bytes belong to none of the formats.
-    #[error("the file is {found}; a PNG, EXR, TIFF or NPY file is needed")]
+    #[error("the file is {found}; {needed} is needed")]
     UnknownFormat {
         /// What it seems to be.
         found: String,
+        /// The kinds of file that would do.
+        needed: &'static str,
     },
     /// The bytes contradict themselves or end too early.
     #[error("the {format} file is damaged: {reason}")]
@@ -117,7 +122,7 @@ pub enum DecodeError {
         possible: u128,
     },
     /// The system did not grant the memory.
-    #[error("the image needs a block of {bytes} bytes of memory, which the system refuses; a smaller image is needed")]
+    #[error("reading it needs a block of {bytes} bytes of memory, which the system refuses; a smaller file is needed")]
     Memory {
         /// Bytes asked for.
         bytes: u128,
@@ -210,7 +215,10 @@ pub enum DecodeError {
         /// What would be accepted.
         accepted: &'static str,
     },
-    /// The field refused the heights.
+    /// What only a mesh can have wrong.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The field refused the heights, or the mesh its vertices.
     #[error(transparent)]
     Field(#[from] FieldError),
 }

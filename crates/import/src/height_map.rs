@@ -5,8 +5,12 @@ use std::{fs, io, path::Path};
 use barchan_field::{Grid, HeightField};
 
 use crate::{
-    DecodeError, Format, HeightMapOptions, ImportError, detect::detect, exr, fill::fill, heights::heights, npy, png,
-    tiff,
+    DecodeError, Format, HeightMapOptions, ImportError,
+    detect::{HEIGHT_MAPS, detect_needed},
+    exr,
+    fill::fill,
+    heights::heights,
+    npy, png, tiff,
 };
 
 /// A height field and what was learnt of its source.
@@ -44,7 +48,7 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, ImportError> {
     read_regular(path).map_err(|cause| ImportError::Io { path: path.to_owned(), cause })
 }
 
-fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
+pub(crate) fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
     let about = fs::metadata(path)?;
     if about.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
@@ -58,11 +62,12 @@ fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
 /// Decodes the bytes of a PNG, EXR, TIFF or NPY file. What is done to them is in the crate's documentation.
 pub fn decode_height_map(bytes: &[u8], options: &HeightMapOptions) -> Result<HeightMap, DecodeError> {
     options.check()?;
-    let raw = match detect(bytes)? {
+    let raw = match detect_needed(bytes, HEIGHT_MAPS)? {
         Format::Png => png::decode(bytes, options)?,
         Format::Exr => exr::decode(bytes, options)?,
         Format::Tiff => tiff::decode(bytes, options)?,
         Format::Npy => npy::decode(bytes, options)?,
+        mesh @ (Format::Obj | Format::Ply | Format::Gltf) => return Err(mesh.refused(HEIGHT_MAPS)),
     };
     let mut map = heights(&raw, options)?;
     fill(&mut map, raw.width, options.edge, options.fill)?;

@@ -243,7 +243,7 @@ mod tests {
         ] {
             assert_eq!(Header::parse(text).as_ref(), Ok(&expected), "{text}");
         }
-        assert_eq!(Header::parse("{'descr': '<f4', 'fortran_order': False, 'shape': ()}").unwrap().shape, []);
+        assert_eq!(Header::parse("{'descr': '<f4', 'fortran_order': False, 'shape': ()}").unwrap().shape, [0_u64; 0]);
     }
 
     #[test]

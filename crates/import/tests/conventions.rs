@@ -183,8 +183,8 @@ fn the_path_leads_the_message_and_the_disk_is_told_from_the_file() {
         assert_eq!(error.is_io(), is_io);
         assert_eq!(error.to_string(), format!("{}: {rest}", path.display()));
     };
-    check(&at("none.png"), true, "there is no such file; a PNG, EXR, TIFF or NPY file is needed");
-    check(folder.path(), true, "this is a folder; a PNG, EXR, TIFF or NPY file is needed");
+    check(&at("none.png"), true, "there is no such file; a PNG, EXR, TIFF, NPY, OBJ, PLY or glTF file is needed");
+    check(folder.path(), true, "this is a folder; a PNG, EXR, TIFF, NPY, OBJ, PLY or glTF file is needed");
     check(&at("empty.png"), false, "the file is empty; a PNG, EXR, TIFF or NPY file is needed");
     check(&at("photo.png"), false, "the file is a JPEG; a PNG, EXR, TIFF or NPY file is needed");
     check(

@@ -249,7 +249,11 @@ fn whoever_must_act_is_told_apart() {
     let fails = |recipe: Recipe| fails(recipe, None);
     let missing = fails(Recipe::parse("(source: HeightMap(path: \"none.png\"))").unwrap());
     assert!(missing.is_io());
-    assert!(missing.to_string().ends_with("none.png: there is no such file; a PNG, EXR, TIFF or NPY file is needed"));
+    assert!(
+        missing
+            .to_string()
+            .ends_with("none.png: there is no such file; a PNG, EXR, TIFF, NPY, OBJ, PLY or glTF file is needed")
+    );
     let mut none = recipe();
     none.horizon.directions = 0;
     let none = fails(none);

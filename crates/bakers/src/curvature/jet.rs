@@ -78,7 +78,7 @@ impl Samples {
         let [along, across] = gatherer.extent;
         let height = along.max(across);
         for (index, near) in gatherer.neighbours.iter().enumerate() {
-            let falloff = 1.0 - super::knob::fo() * near.squared_distance;
+            let falloff = 1.0 - FALLOFF * near.squared_distance;
             self.x[index][lane] = near.x / along;
             self.y[index][lane] = near.y / across;
             self.z[index][lane] = near.z / height;
@@ -110,8 +110,11 @@ pub(super) struct JetFits {
 }
 
 impl JetFits {
-    const NONE: Self =
-        Self { degrees: 0, jets: [Jet { coefficients: [0.0; 5], variances: [0.0; 3], residual: 0.0 }; MAX_DEGREE - 1], weights: [0.0; 2] };
+    const NONE: Self = Self {
+        degrees: 0,
+        jets: [Jet { coefficients: [0.0; 5], variances: [0.0; 3], residual: 0.0 }; MAX_DEGREE - 1],
+        weights: [0.0; 2],
+    };
 
     /// The jet of a degree that is there.
     pub(super) fn jet(&self, degree: usize) -> &Jet {

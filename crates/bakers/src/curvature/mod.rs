@@ -4,10 +4,11 @@ mod chart;
 mod estimate;
 mod frame;
 mod jet;
-mod knob;
 mod narrow;
 mod neighbourhood;
+mod noise;
 mod params;
+mod patch;
 mod sheets;
 mod table;
 
@@ -18,27 +19,33 @@ pub use table::{MeshCurvature, MeshReport, VertexCurvature};
 use barchan_asset::VertexFlags;
 use barchan_field::Mesh;
 
-use narrow::Reach;
 use sheets::Sheets;
 
 use crate::{BakeError, Exec};
 
+/// Names the algorithm in provenance. It changes when a bake's bytes do.
+pub const ALGORITHM: &str = "curvature-jets-1";
+
 /// Bakes the curvature of every vertex.
 ///
 /// # Errors
-/// Parameters out of range.
+/// Parameters out of range, or more than 700 million triangles.
 pub fn bake(mesh: &Mesh, params: &CurvatureParams, exec: &Exec) -> Result<MeshCurvature, BakeError> {
     params.check()?;
+    sheets::check_size(mesh.triangles().len())?;
     let sheets = Sheets::of(mesh, params.hard_edge_degrees, exec);
-    let reach = match params.method {
-        CurvatureMethod::Fast => Reach { degree: 3, neighbours: 18 },
-        CurvatureMethod::Accurate => Reach { degree: 6, neighbours: std::env::var("NN").map_or(48, |v| v.parse().unwrap()) },
+    let mut found = narrow::fit_all(&sheets, params.method, exec);
+    let noise = match params.method {
+        CurvatureMethod::Fast => None,
+        CurvatureMethod::Accurate => noise::noise(&found),
     };
-    let found = narrow::fit_all(&sheets, reach, exec);
+    if let Some(noise) = noise {
+        noise::refit(&sheets, noise, &mut found, exec);
+    }
     let of_point = |point: &Option<u32>| match point {
         Some(point) => found[*point as usize].curvature,
         None => VertexCurvature { flags: VertexFlags::ISOLATED, ..VertexCurvature::UNKNOWN },
     };
     let vertices = sheets.point_of_vertex.iter().map(of_point).collect();
-    Ok(MeshCurvature { vertices, report: sheets.report, noise: 0.0 })
+    Ok(MeshCurvature { vertices, report: sheets.report, noise: noise.map_or(0.0, f64::sqrt) })
 }

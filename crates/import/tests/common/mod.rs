@@ -1,9 +1,11 @@
 //! What several tests need.
 #![allow(dead_code)] // Each test program uses its own part.
 
+pub(crate) mod damage;
+
 use std::{fs, path::PathBuf};
 
-use barchan_import::HeightMapOptions;
+use barchan_import::{DecodeError, HeightMapOptions, ImportedMesh, MeshOptions, decode_mesh, no_buffers};
 
 /// The folder of small files by other software.
 pub(crate) fn folder() -> PathBuf {
@@ -39,4 +41,24 @@ pub(crate) fn npy_with(text: &str, data: &[u8]) -> Vec<u8> {
 pub(crate) fn npy_f32(columns: usize, samples: &[f32]) -> Vec<u8> {
     let data: Vec<u8> = samples.iter().flat_map(|s| s.to_le_bytes()).collect();
     npy("<f4", false, (samples.len() / columns) as u64, columns as u64, &data)
+}
+
+/// The folder of small meshes by other software.
+pub(crate) fn meshes() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/meshes")
+}
+
+/// A mesh from memory.
+pub(crate) fn decoded(bytes: impl AsRef<[u8]>) -> Result<ImportedMesh, DecodeError> {
+    decode_mesh(bytes.as_ref(), &MeshOptions::default(), &mut no_buffers)
+}
+
+/// A mesh from memory that is in order.
+pub(crate) fn mesh(bytes: impl AsRef<[u8]>) -> ImportedMesh {
+    decoded(bytes).expect("the test's own mesh")
+}
+
+/// Why a mesh from memory is refused.
+pub(crate) fn refusal(bytes: impl AsRef<[u8]>) -> String {
+    decoded(bytes).expect_err("the test's own mesh").to_string()
 }

@@ -81,13 +81,13 @@ fn solve(mut matrix: Matrix, mut right: [DVec2; TERMS], terms: usize, least: f64
     }
     for row in 0..terms {
         for column in 0..row {
-            right[row] = right[row] - right[column] * matrix[row][column];
+            right[row] -= right[column] * matrix[row][column];
         }
         right[row] /= matrix[row][row];
     }
     for row in (0..terms).rev() {
         for below in row + 1..terms {
-            right[row] = right[row] - right[below] * matrix[below][row];
+            right[row] -= right[below] * matrix[below][row];
         }
         right[row] /= matrix[row][row];
     }

@@ -102,5 +102,5 @@ pub(super) fn next(side: u32) -> u32 {
 
 /// The side before this one in its triangle.
 pub(super) fn previous(side: u32) -> u32 {
-    if side % 3 == 0 { side + 2 } else { side - 1 }
+    if side.is_multiple_of(3) { side + 2 } else { side - 1 }
 }
