@@ -9,13 +9,23 @@
 //! The horizon's distance jumps between texels, and between azimuths. So each of the four texels around a place, in each of the
 //! two azimuths beside the light's, carries its own points over to the curved surface, from its own height, and no lower than
 //! the surface itself; what is interpolated is the elevation of the result, atan δ′, as [`crate::HorizonShadow`] does: on a
-//! flat surface both agree.
+//! flat surface both agree. Against the oracle, on reptile skin on a ball of κ = 0.015, at places anywhere between texels: of
+//! interpolated elevations 5.9 % of shadows are wrong, of sines 6.2 %, of slopes 6.3 %, and of unit vectors (1, δ′) / √(1 + δ′²),
+//! which a shader has without trigonometry, 5.9 %.
 //!
 //! # Where the surface itself hides things
 //!
 //! Eq 3 is the horizon of the base surface, at a height of 0. No relief is lower than its lowest texel, so the surface
 //! parallel to the base at that height is as solid, and no relief needs to stand on the base for it: the exact methods take
 //! that one. The paper's take the base.
+//!
+//! # Limits
+//!
+//! The curvature at the place stands for that of all the way to the horizon, and the relief for endless. On a convex surface far
+//! points sink, and it does not matter; on a concave one they rise with the square of the distance, and the search radius
+//! of the map decides how far the hollow is taken to go on. On a sheet whose curvature wavers between ±0.006, 9.0 % of shadows are
+//! wrong without a correction, and with three points 8.4, 8.3, 8.7 and 12.8 % for maps of radius 24, 40, 64 and 128: relief
+//! for curved surfaces wants a radius of some of its own periods, and less than the surface's own.
 
 use barchan_asset::{Azimuths, DistanceView, HeightView, HorizonView, SweptDistanceView, SweptHorizonView, TableView};
 
@@ -159,24 +169,21 @@ impl CurvedShadow {
         curvature: f64,
     ) -> f64 {
         let ground = Ground { curvature, stretch: light.stretch, lowest: self.lowest };
-        let (heights, _) = self.heights.cell(x, y);
-        let (first, second, weight) = self.azimuths.neighbours(light.azimuth_radians);
+        let (heights, within) = self.heights.cell(x, y);
         let count = (method.points() as usize).min(self.points.len());
         let towards = |direction: u32| {
-            let layers = self.points[..count].iter().map(|layers| &layers[direction as usize]);
-            let mut horizons = [NO_POINT; 4];
-            let mut place = (0.0, 0.0);
-            for layer in layers {
-                let (slopes, within) = layer.slope.cell(x, y);
-                let (distances, _) = layer.distance.cell(x, y);
-                place = within;
+            let mut horizons = [f64::NEG_INFINITY; 4];
+            for layers in &self.points[..count] {
+                let layer = &layers[direction as usize];
+                let ((slopes, _), (distances, _)) = (layer.slope.cell(x, y), layer.distance.cell(x, y));
                 for (tap, horizon) in horizons.iter_mut().enumerate() {
                     let flat = StoredPoint { slope: slopes[tap], distance: distances[tap] };
                     *horizon = horizon.max(ground.horizon(method, flat, heights[tap]));
                 }
             }
-            bilinear(horizons.map(libm::atan), place)
+            bilinear(horizons.map(libm::atan), within)
         };
+        let (first, second, weight) = self.azimuths.neighbours(light.azimuth_radians);
         let elevation = towards(first);
         if weight == 0.0 { elevation } else { elevation + (towards(second) - elevation) * f64::from(weight) }
     }
@@ -189,9 +196,6 @@ impl CurvedShadow {
         light.height * cos < light.level * sin
     }
 }
-
-/// Below whatever a method says.
-const NO_POINT: f64 = f64::NEG_INFINITY;
 
 impl Ground {
     /// The slope of the horizon by one point of a texel, and no lower than the surface.

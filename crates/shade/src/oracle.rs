@@ -14,7 +14,7 @@
 //! # Tolerance
 //!
 //! A shadow is where a ray is deeper in the relief than 1e-9 of the relief's range, and 1e-13 of its distance from the origin;
-//! a ray that touches relief less deep may go either way. Relief of a flat base agrees with [`crate::TracedShadow`].
+//! a ray that touches relief less deep may go either way. A ray that is still in the relief's reach after a million steps is lit. Relief of a flat base agrees with [`crate::TracedShadow`].
 //!
 //! # Limits
 //!
@@ -37,6 +37,9 @@ const STEP_TEXELS: f64 = 0.5;
 
 /// How often a step is halved at most.
 const HALVINGS: u32 = 34;
+
+/// Steps of a ray at most: more than any picture needs, and an end for a ray that runs level over an endless plane.
+const STEPS: u32 = 1 << 20;
 
 /// Nearer to a border of texels than this, in texels, is on it.
 const BORDER_TEXELS: f64 = 1e-11;
@@ -113,7 +116,10 @@ impl<'a, B: BaseSurface + ?Sized> DisplacedShadow<'a, B> {
     fn is_blocked(&self, ray: &Ray, start: Sample, tolerance: f64) -> bool {
         let thickness = self.highest.abs().max(self.lowest.abs());
         let mut here = start;
-        while here.distance < self.reach {
+        for _ in 0..STEPS {
+            if here.distance >= self.reach {
+                return false;
+            }
             let step = self.step(ray, &here);
             // Relief is nowhere nearer than this.
             let top = if here.beyond_edge { thickness } else { self.highest };
@@ -156,7 +162,9 @@ impl<'a, B: BaseSurface + ?Sized> DisplacedShadow<'a, B> {
         for _ in 0..HALVINGS {
             let end = self.sample(ray, here.distance + step, Some(here.uv));
             let moved = (end.place - here.place).abs().max_element();
-            if moved <= STEP_TEXELS || end.beyond_edge || here.beyond_edge {
+            // Not comparable is as good as short: a chart without area must not hold the ray up.
+            let short = moved <= STEP_TEXELS || moved.is_nan();
+            if short || end.beyond_edge || here.beyond_edge {
                 return end;
             }
             step *= 0.5;

@@ -38,8 +38,8 @@ impl<P: Fn(DVec2) -> SurfacePoint> Patch<P> {
             let part = DVec2::new(f64::from(column), f64::from(row)) / f64::from(cells);
             point(min + (max - min) * part).position
         };
-        let samples: Vec<_> = (0..=cells).flat_map(|row| (0..=cells).map(move |column| (column, row))).collect();
-        let samples: Vec<_> = samples.into_iter().map(|(column, row)| at(column, row)).collect();
+        let corners = (0..=cells).flat_map(|row| (0..=cells).map(move |column| (column, row)));
+        let samples: Vec<_> = corners.map(|(column, row)| at(column, row)).collect();
         let bounds = bounds(&samples, cells);
         Self { point, min, max, closed, cells, samples, bounds }
     }
@@ -155,29 +155,26 @@ impl<P: Fn(DVec2) -> SurfacePoint> BaseSurface for Patch<P> {
     }
 
     fn hit(&self, ray: &Ray) -> Option<DVec2> {
-        let mut nearest: Option<(f64, DVec2)> = None;
-        for row in 0..self.cells {
-            for column in 0..self.cells {
-                for corners in [[(0, 0), (1, 0), (1, 1)], [(0, 0), (1, 1), (0, 1)]] {
-                    let corners = corners.map(|(i, j)| (column + i, row + j));
-                    let triangle = corners.map(|(column, row)| self.sample(column, row));
-                    if let Some((distance, weights)) = triangle_hit(ray, triangle)
-                        && nearest.is_none_or(|(least, _)| distance < least)
-                    {
-                        let [a, b, c] = corners.map(|(column, row)| self.corner(column, row));
-                        let uv = a * weights[0] + b * weights[1] + c * weights[2];
-                        if (self.point)(uv).frame.normal.dot(ray.direction) < 0.0 {
-                            nearest = Some((distance, uv));
-                        }
-                    }
-                }
-            }
-        }
+        let front = self.triangles().filter_map(|corners| {
+            let triangle = corners.map(|(column, row)| self.sample(column, row));
+            let (distance, weights) = triangle_hit(ray, triangle)?;
+            let [a, b, c] = corners.map(|(column, row)| self.corner(column, row));
+            let uv = a * weights[0] + b * weights[1] + c * weights[2];
+            ((self.point)(uv).frame.normal.dot(ray.direction) < 0.0).then_some((distance, uv))
+        });
+        let nearest = front.min_by(|(a, _), (b, _)| a.total_cmp(b));
         nearest.map(|(_, uv)| self.polish_hit(ray, uv))
     }
 }
 
 impl<P: Fn(DVec2) -> SurfacePoint> Patch<P> {
+    /// The corners, as column and row, of the triangles between the samples.
+    fn triangles(&self) -> impl Iterator<Item = [(u32, u32); 3]> {
+        let halves = [[(0, 0), (1, 0), (1, 1)], [(0, 0), (1, 1), (0, 1)]];
+        let cells = (0..self.cells).flat_map(|row| (0..self.cells).map(move |column| (column, row)));
+        cells.flat_map(move |(column, row)| halves.map(|half| half.map(|(i, j)| (column + i, row + j))))
+    }
+
     /// Newton's method for a hit, from that on the samples' triangles; where it leads away, at a silhouette, that one stays.
     fn polish_hit(&self, ray: &Ray, start: DVec2) -> DVec2 {
         let cell = (self.max - self.min).abs() / f64::from(self.cells);

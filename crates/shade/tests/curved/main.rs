@@ -1,6 +1,7 @@
 //! Shading of relief on curved surfaces, through the crate's public face and encoded tables.
 
 mod bases;
+mod equations;
 mod forms;
 mod picture;
 mod shadow;

@@ -232,6 +232,23 @@ fn a_light_at_the_zenith_reaches_and_one_from_below_does_not() {
 }
 
 #[test]
+fn between_texels_it_is_what_the_texels_around_say() {
+    let field = field((8, 8), Edge::Wrap, |column, row| 5.0 * noise(7, column, row));
+    let shadow = Map::swept(&field, 8, 12.0, CurvatureRange { min: -0.05, max: 0.05 }, 3).shadow();
+    let light = TangentLight { height: 0.1, level: 0.9, direction: DVec2::X, azimuth_radians: 1.0, stretch: 1.1 };
+    for method in CurvedMethod::ALL {
+        for curvature in [-0.05, 0.02] {
+            let at = |x: f64, y: f64| shadow.elevation_radians(method, (x, y), &light, curvature);
+            let corners = at(2.0, 7.0) * 0.75 * 0.5
+                + at(3.0, 7.0) * 0.25 * 0.5
+                + at(2.0, 8.0) * 0.75 * 0.5
+                + at(3.0, 8.0) * 0.25 * 0.5;
+            assert_near(at(2.25, 7.5), corners, 1e-14);
+        }
+    }
+}
+
+#[test]
 fn methods_have_names_and_ask_for_no_more_points_than_there_are() {
     let names = CurvedMethod::ALL.map(|method| method.to_string());
     assert_eq!(names, ["flat", "paper-as-printed", "paper", "exact-1", "swept-2", "swept-3"]);

@@ -3,7 +3,7 @@
 use barchan_field::{Edge, HeightField};
 use barchan_shade::{
     BaseSurface, Correction, Cylinder, DirectionalLight, DisplacedShadow, Patch, Plane, Sphere, SphereChart,
-    StoredPoint, Surface, SurfacePoint, TangentFrame, TracedShadow,
+    StoredPoint, Surface, SurfacePoint, TangentFrame, TracedShadow, geometric_horizon,
 };
 use glam::{DMat2, DVec2, DVec3};
 use proptest::prelude::*;
@@ -84,6 +84,24 @@ fn a_ridge_on_a_cylinder_shades_up_to_the_angle_of_its_top() {
     }
 }
 
+/// Eq 3, with its sign mended. Texels are coarse beside the ball, so that the ray comes and goes within one step.
+#[test]
+fn from_the_top_of_a_spike_a_ball_goes_on_to_its_own_horizon() {
+    let spike = field((17, 17), Edge::Clamp, |column, row| if (column, row) == (8, 8) { 3.0 } else { 0.0 });
+    let relief = relief(&spike);
+    let ball = Sphere { tile: DVec2::splat(4.0 * 17.0), ..ball(&spike, 15.0, SphereChart::Stereographic) };
+    let shadow = DisplacedShadow::new(&ball, &relief, f64::INFINITY);
+    let (uv, limb) = (uv_of(&spike, 8.0, 8.0), geometric_horizon(1.0 / 15.0, 3.0).atan());
+    let frame = ball.point(uv).frame;
+    let across = frame.along_u.normalize();
+    for k in 0..24 {
+        let (sin, cos) = (0.3 + f64::from(k)).sin_cos();
+        let level = across * cos + frame.normal.cross(across) * sin;
+        let at = |angle: f64| shadow.in_shadow(uv, level * angle.cos() + frame.normal * angle.sin());
+        assert!(at(limb - 1e-6) && !at(limb + 1e-6), "{k}");
+    }
+}
+
 /// From the bottom of a round gutter whose sides rise by `half` radians, its rim is seen at half that angle.
 #[test]
 fn the_bottom_of_a_gutter_sees_over_its_rim_at_half_its_angle() {
@@ -101,6 +119,65 @@ fn the_bottom_of_a_gutter_sees_over_its_rim_at_half_its_angle() {
         let at = |angle: f64| shadow.in_shadow(DVec2::ZERO, DVec3::new(-angle.sin(), angle.cos(), 0.0));
         assert!(at(0.5 * half - 1e-4) && at(0.1) && !at(0.5 * half + 1e-4) && !at(1.5), "{half}");
     }
+}
+
+/// The least clearance of a ray at many points beyond its start, wherever the surface is below it.
+fn least_clearance(base: &dyn BaseSurface, relief: &Surface, uv: DVec2, light: DVec3, reach: f64) -> f64 {
+    const POINTS: u32 = 20_000;
+    let point = base.point(uv);
+    let at = |uv: DVec2| {
+        let (x, y) = relief.texel_of(uv);
+        relief.heights().sample(x, y)
+    };
+    let origin = point.position + point.frame.normal * at(uv);
+    let clearance = |k: u32| {
+        let foot = base.foot(origin + light * (reach * f64::from(k) / f64::from(POINTS)), Some(uv));
+        foot.height - at(foot.uv)
+    };
+    (1..=POINTS).map(clearance).fold(f64::INFINITY, f64::min)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn a_ray_is_blocked_where_marching_finds_it_blocked(
+        heights in prop::collection::vec(0.0_f32..2.0, 64),
+        kind in 0_usize..5,
+        (azimuth, elevation) in (0.0..360.0_f64, -15.0..70.0_f64),
+        (u, v) in (-0.5..0.5_f64, -0.5..0.5_f64),
+    ) {
+        let field = field((8, 8), Edge::Wrap, |column, row| heights[(row * 8 + column) as usize]);
+        let (relief, sheared) = (relief(&field), DMat2::from_cols(DVec2::new(8.0, 1.0), DVec2::new(-2.0, 6.0)));
+        let sphere = |chart, hollow| Sphere { radius: 15.0, hollow, chart, tile: DVec2::new(8.0, -7.0) };
+        let surfaces: [&dyn BaseSurface; 5] = [
+            &sphere(SphereChart::Geographic, false),
+            &sphere(SphereChart::Stereographic, false),
+            &sphere(SphereChart::Stereographic, true),
+            &Cylinder { radius: 12.0, hollow: false, chart: sheared },
+            &Cylinder { radius: 30.0, hollow: true, chart: sheared },
+        ];
+        let (base, uv) = (surfaces[kind], DVec2::new(u, v));
+        let light = towards(azimuth, elevation);
+        // In the frame of the place, out of the surface.
+        let frame = base.point(uv).frame;
+        let across = frame.along_u.normalize();
+        let light = frame.normal * light.x + across * light.y + frame.normal.cross(across) * light.z;
+        let found = DisplacedShadow::new(base, &relief, 20.0).in_shadow(uv, light);
+        let least = least_clearance(base, &relief, uv, light, 20.0);
+        // Between points, a thousandth apart, relief rises by no more than its steepest cell.
+        prop_assert!(!found || least < 0.01, "shadow, though every point is {least} clear");
+        prop_assert!(found || least > -1e-7, "light, though a point is {least} deep");
+    }
+}
+
+/// A light that runs level over an endless plane neither meets anything nor leaves, and the answer must come all the same.
+#[test]
+fn a_level_ray_over_a_level_plane_ends_and_is_lit() {
+    let level = relief(&field((4, 4), Edge::Wrap, |_, _| 1.0));
+    let plane = Plane { chart: DMat2::from_diagonal(DVec2::splat(4.0)) };
+    assert!(!DisplacedShadow::new(&plane, &level, 1000.0).in_shadow(DVec2::splat(0.3), DVec3::X));
+    assert!(!DisplacedShadow::new(&plane, &level, f64::INFINITY).in_shadow(DVec2::splat(0.3), DVec3::X));
 }
 
 /// A ball's relief in fine triangles: what is really there, apart from facets.
