@@ -16,8 +16,8 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail};
 use barchan_bakers::Exec;
-use barchan_field::Spacing;
-use barchan_import::{HeightMapOptions, Integers, read_height_map};
+use barchan_field::{Mesh, Spacing};
+use barchan_import::{HeightMapOptions, Integers, MeshOptions, read_height_map, read_mesh};
 use barchan_study::bandwidth::{self, Bandwidth};
 use barchan_study::report::Block;
 use barchan_study::timer::Pace;
@@ -181,7 +181,7 @@ fn curved_shadows(scale: Scale, cores: usize) -> Result<Vec<Record>> {
 fn curvature_between_vertices(scale: Scale, cores: usize) -> Result<Vec<Record>> {
     let exec = Exec::new(cores)?;
     let seconds = if scale == Scale::Full { 2.0 } else { 0.01 };
-    let cases = curvature_interpolation::cases(scale, &exec)?;
+    let cases = curvature_interpolation::cases(scale, &exec, &scans(scale)?)?;
     Ok(curvature_interpolation::measure(&cases, &Pace { seconds, max_rounds: 9 }, &mut announce)?)
 }
 
@@ -207,6 +207,15 @@ fn terrain(scale: Scale) -> Result<Vec<Scene>> {
         HeightMapOptions { integers: Integers::Raw, spacing: Spacing::new(74.0, 93.0)?, ..HeightMapOptions::default() };
     let field = read_height_map(&root().join("samples/jacksboro.png"), &options)?.field;
     Ok(vec![Scene { name: "jacksboro".to_owned(), field }])
+}
+
+/// A real scan; a quick run does without.
+fn scans(scale: Scale) -> Result<Vec<(String, Mesh)>> {
+    if scale == Scale::Quick {
+        return Ok(Vec::new());
+    }
+    let imported = read_mesh(&root().join("samples/demosthenes.ply"), &MeshOptions::default())?;
+    Ok(vec![("demosthenes".to_owned(), imported.mesh)])
 }
 
 fn announce(step: &Step<'_>) {

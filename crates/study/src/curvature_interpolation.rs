@@ -12,8 +12,9 @@
 //!
 //! Meshes of closed forms, with what is exact at their vertices, so that nothing but interpolation is off; the signs of
 //! directions are drawn at random, and at umbilics, as all points of a sphere are, their angles too: neither means
-//! anything, and every baker has its own. And a mesh as a scanner sees it, an ellipsoid with noise on its vertices, with what
-//! [`curvature::bake`] says of it.
+//! anything, and every baker has its own. And meshes as scanners see them, with what [`curvature::bake`] says of them: an
+//! ellipsoid with noise on its vertices, and what else is given, longitude and latitude about its middle for texture coordinates,
+//! as far as that is a chart: a vertex of a triangle that it shears or squeezes more than five to one is left out.
 //!
 //! Places are spread evenly over triangles, each with one direction, even over the triangle's plane. The truth on closed
 //! forms is that of the surface at the interpolated (u, v); on a scan, where nobody knows, the mean of what the corners
@@ -21,7 +22,7 @@
 //!
 //! Errors are relative to the RMS over the places of the larger |κ|; a place is wrong if it is off by more than 0.1.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use barchan_bakers::Exec;
 use barchan_bakers::curvature::{self, CurvatureParams};
@@ -38,8 +39,11 @@ use crate::{Item, Norms, Quantity, Record, Scale, Setting, StudyError};
 /// From what part of the larger curvature on a place is wrong.
 const WRONG: f64 = 0.1;
 
-/// Noise of the scan, in mean edge lengths.
+/// Noise of the ellipsoid, in mean edge lengths.
 const SCAN_NOISE: f64 = 0.1;
+
+/// 2 |det M| / ‖M‖² of a chart's map M of a triangle, 1 where it keeps angles: below, it is no chart.
+const LEAST_EVENNESS: f64 = 0.4;
 
 /// What is interpolated, and how κ comes of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -113,11 +117,11 @@ pub struct Case {
     truth: Vec<(f64, f64)>,
 }
 
-/// The cases: sphere, torus, a sheared patch, and a scan.
+/// The cases: sphere, torus, a sheared patch, a noisy ellipsoid, and `scans` by their names.
 ///
 /// # Errors
 /// A mesh that cannot be made.
-pub fn cases(scale: Scale, exec: &Exec<'_>) -> Result<Vec<Case>, StudyError> {
+pub fn cases(scale: Scale, exec: &Exec<'_>, scans: &[(String, Mesh)]) -> Result<Vec<Case>, StudyError> {
     let (vertices, places) = match scale {
         Scale::Full => (4000, 40_000),
         Scale::Quick => (200, 400),
@@ -125,7 +129,9 @@ pub fn cases(scale: Scale, exec: &Exec<'_>) -> Result<Vec<Case>, StudyError> {
     let wanted = |surface: &ParametricSurface| ["sphere", "torus", "bezier_patch"].contains(&surface.name());
     let closed_forms = ParametricSurface::examples().into_iter().filter(wanted);
     let closed_forms = closed_forms.map(|surface| closed_form(surface, vertices, places));
-    closed_forms.chain([scan(vertices, places, exec)]).collect()
+    let noisy = noisy_ellipsoid(vertices, exec).and_then(|mesh| scan("noisy ellipsoid", mesh, places, exec));
+    let others = scans.iter().map(|(name, mesh)| scan(name, on_a_sphere(mesh)?, places, exec));
+    closed_forms.chain([noisy]).chain(others).collect()
 }
 
 /// The records of all cases.
@@ -180,7 +186,7 @@ fn tessellated(surface: ParametricSurface, vertices: u32) -> Result<TessellatedS
 fn closed_form(surface: ParametricSurface, vertices: u32, count: u64) -> Result<Case, StudyError> {
     let TessellatedSurface { mesh, parameters } = tessellated(surface, vertices)?;
     let corners = (0_u64..).zip(&parameters).map(|(index, at)| exact_corner(&surface, index, *at)).collect();
-    let places = places(&mesh, count);
+    let places = places(&mesh, mesh.triangles(), count);
     let uvs = mesh.uvs().unwrap_or_default();
     let truth = |place: &Place| {
         let [a, b, c] = place.triangle.map(|vertex| uvs[vertex as usize]);
@@ -215,21 +221,32 @@ fn exact_corner(surface: &ParametricSurface, index: u64, at: DVec2) -> Corner {
     }
 }
 
-/// An ellipsoid as a scanner sees it, and what a bake says of it.
-fn scan(vertices: u32, count: u64, exec: &Exec<'_>) -> Result<Case, StudyError> {
-    let ellipsoid = ParametricSurface::Ellipsoid { a: 1.0, b: 0.8, c: 0.6 };
-    let clean = tessellated(ellipsoid, vertices)?.mesh;
-    let params = CurvatureParams::default();
-    let edge = curvature::bake(&clean, &params, exec)?.report.mean_edge;
-    let mesh = with_vertex_noise(&clean, SCAN_NOISE * edge, 1)?;
-    let baked = curvature::bake(&mesh, &params, exec)?;
+fn noisy_ellipsoid(vertices: u32, exec: &Exec<'_>) -> Result<Mesh, StudyError> {
+    let clean = tessellated(ParametricSurface::Ellipsoid { a: 1.0, b: 0.8, c: 0.6 }, vertices)?.mesh;
+    let edge = curvature::bake(&clean, &CurvatureParams::default(), exec)?.report.mean_edge;
+    Ok(with_vertex_noise(&clean, SCAN_NOISE * edge, 1)?)
+}
+
+/// The mesh with longitude and latitude about its middle, in radians, for texture coordinates.
+fn on_a_sphere(mesh: &Mesh) -> Result<Mesh, StudyError> {
+    let middle = mesh.positions().iter().sum::<DVec3>() / mesh.positions().len().max(1) as f64;
+    let uv = |position: &DVec3| {
+        let out = *position - middle;
+        DVec2::new(libm::atan2(out.y, out.x), libm::atan2(out.z, libm::hypot(out.x, out.y)))
+    };
+    Ok(mesh.clone().with_uvs(mesh.positions().iter().map(uv).collect())?)
+}
+
+/// A mesh with texture coordinates, and what a bake says of it.
+fn scan(name: &str, mesh: Mesh, count: u64, exec: &Exec<'_>) -> Result<Case, StudyError> {
+    let baked = curvature::bake(&mesh, &CurvatureParams::default(), exec)?;
     let forms = curvature::forms(&mesh, &baked, exec).ok_or(StudyError::NoTextureCoordinates)?;
     let corner = |(forms, vertex): (&curvature::VertexForms, &curvature::VertexCurvature)| Corner {
         forms: FundamentalForms { first: forms.first, second: forms.second },
         principal: PrincipalUv { curvatures: vertex.principal, directions: forms.uv_directions },
     };
     let corners: Vec<Corner> = forms.iter().zip(&baked.vertices).map(corner).collect();
-    let places = places(&mesh, count);
+    let places = places(&mesh, &charted(&mesh), count);
     let truth = |place: &Place| {
         let mean = |of: &dyn Fn(&Corner) -> f64| -> f64 {
             place
@@ -243,12 +260,11 @@ fn scan(vertices: u32, count: u64, exec: &Exec<'_>) -> Result<Case, StudyError> 
         (mean(&|corner| corner.forms.along(place.direction.x, place.direction.y)), mean(&larger))
     };
     let truth = places.iter().map(truth).collect();
-    Ok(Case { name: "scan".to_owned(), mesh, corners, places, truth })
+    Ok(Case { name: name.to_owned(), mesh, corners, places, truth })
 }
 
-/// Places with directions, the same in every run.
-fn places(mesh: &Mesh, count: u64) -> Vec<Place> {
-    let triangles = mesh.triangles();
+/// Places in some triangles, with directions, the same in every run.
+fn places(mesh: &Mesh, triangles: &[[u32; 3]], count: u64) -> Vec<Place> {
     let uvs = mesh.uvs().unwrap_or_default();
     let place = |index: u64| {
         let draw = |k: u64| unit(4 * index + k);
@@ -260,6 +276,22 @@ fn places(mesh: &Mesh, count: u64) -> Vec<Place> {
         Place { triangle, weights: [1.0 - a - b, a, b], direction: direction(corners, draw(3) * TAU) }
     };
     (0..count).map(place).collect()
+}
+
+/// Triangles none of whose corners belongs to one that texture coordinates distort too much.
+fn charted(mesh: &Mesh) -> Vec<[u32; 3]> {
+    let uvs = mesh.uvs().unwrap_or_default();
+    let mut is_charted = vec![true; uvs.len()];
+    for triangle in mesh.triangles() {
+        let corners = triangle.map(|vertex| (mesh.positions()[vertex as usize], uvs[vertex as usize]));
+        let (along, across) = (direction(corners, 0.0), direction(corners, FRAC_PI_2));
+        let evenness = 2.0 * along.perp_dot(across).abs() / (along.length_squared() + across.length_squared());
+        if !(evenness >= LEAST_EVENNESS) {
+            triangle.iter().for_each(|&vertex| is_charted[vertex as usize] = false);
+        }
+    }
+    let all = mesh.triangles().iter().copied();
+    all.filter(|triangle| triangle.iter().all(|&vertex| is_charted[vertex as usize])).collect()
 }
 
 /// The direction in the texture of one in the plane of a triangle, at an angle to its first side.
@@ -299,6 +331,27 @@ mod tests {
         let wrong = |interpolation| torus.record(interpolation).wrong_share.unwrap();
         assert!(wrong(Interpolation::Forms) < 0.02, "{}", wrong(Interpolation::Forms));
         assert!(wrong(Interpolation::Directions) > 5.0 * wrong(Interpolation::Forms).max(0.01));
+    }
+
+    #[test]
+    fn a_scan_is_looked_at_where_it_has_a_chart() {
+        let exec = Exec::new(1).unwrap();
+        let whole = ParametricSurface::Torus { major: 1.0, minor: 0.4 }
+            .tessellate(&Tessellation { vertices: 400, pattern: Pattern::Jittered, seed: 1, uv_seam: false })
+            .unwrap()
+            .mesh;
+        let mesh = on_a_sphere(&whole).unwrap();
+        let charted = charted(&mesh);
+        assert!(!charted.is_empty() && charted.len() < mesh.triangles().len());
+        let uvs = mesh.uvs().unwrap();
+        // None lies across the seam, where longitude jumps.
+        let across = |triangle: &[u32; 3]| {
+            let u = triangle.map(|vertex| uvs[vertex as usize].x);
+            u.into_iter().fold(f64::MIN, f64::max) - u.into_iter().fold(f64::MAX, f64::min)
+        };
+        assert!(charted.iter().all(|triangle| across(triangle) < 1.0));
+        let case = scan("torus", mesh, 200, &exec).unwrap();
+        assert!(case.record(Interpolation::Forms).rms.unwrap() < 0.2);
     }
 
     #[test]
