@@ -286,7 +286,7 @@ fn charted(mesh: &Mesh) -> Vec<[u32; 3]> {
         let corners = triangle.map(|vertex| (mesh.positions()[vertex as usize], uvs[vertex as usize]));
         let (along, across) = (direction(corners, 0.0), direction(corners, FRAC_PI_2));
         let evenness = 2.0 * along.perp_dot(across).abs() / (along.length_squared() + across.length_squared());
-        if !(evenness >= LEAST_EVENNESS) {
+        if evenness.is_nan() || evenness < LEAST_EVENNESS {
             triangle.iter().for_each(|&vertex| is_charted[vertex as usize] = false);
         }
     }

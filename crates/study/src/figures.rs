@@ -8,7 +8,7 @@
 //!
 //! # What is ours
 //!
-//! The paper gives no heights, no patch and no dunes. A texel is one length unit long where the texture lies unstretched: at
+//! Heights, the patch and the dunes. A texel is one length unit long where the texture lies unstretched: at
 //! the equator of a sphere, about everywhere on patches. On a sphere u is longitude, and its seam is behind. The patch is
 //! convex in its middle and saddle-shaped towards its corners. The paper's dunes are bases that wear ripples; here they are
 //! relief as well, ripples and slip faces and all.
