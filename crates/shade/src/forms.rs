@@ -35,6 +35,7 @@ impl FundamentalForms {
     /// The normal curvature along a direction of the texture, in 1 / length; the direction's own length does not matter.
     ///
     /// Where the direction has no length on the surface it is the mean curvature.
+    #[inline]
     #[must_use]
     pub fn along(&self, du: f64, dv: f64) -> f64 {
         let length_squared = quadratic(self.first, du, dv);
@@ -42,6 +43,7 @@ impl FundamentalForms {
     }
 
     /// The mean curvature, half the sum of the principal ones, in 1 / length; 0 where the chart has no area.
+    #[inline]
     #[must_use]
     pub fn mean(&self) -> f64 {
         let ([e1, f1, g1], [e2, f2, g2]) = (self.first, self.second);
@@ -56,16 +58,18 @@ impl FundamentalForms {
     }
 
     /// Inside a triangle: each of the six numbers by itself, weighted by the barycentric coordinates.
+    #[inline]
     #[must_use]
     pub fn interpolated(corners: [&Self; 3], weights: [f64; 3]) -> Self {
-        let mix = |of: fn(&Self) -> [f64; 3]| {
-            let [a, b, c] = corners.map(of);
+        let [a, b, c] = corners;
+        let mix = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| {
             std::array::from_fn(|k| a[k] * weights[0] + b[k] * weights[1] + c[k] * weights[2])
         };
-        Self { first: mix(|corner| corner.first), second: mix(|corner| corner.second) }
+        Self { first: mix(a.first, b.first, c.first), second: mix(a.second, b.second, c.second) }
     }
 }
 
+#[inline]
 fn quadratic([uu, uv, vv]: [f64; 3], du: f64, dv: f64) -> f64 {
     uu * du * du + 2.0 * uv * du * dv + vv * dv * dv
 }

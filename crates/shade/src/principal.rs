@@ -27,6 +27,7 @@ impl PrincipalUv {
     /// Eq 1 with dot products of texture coordinates, as printed, for studies: right on conformal charts only.
     ///
     /// The mean of both curvatures where one of the three directions is null.
+    #[inline]
     #[must_use]
     pub fn euler_as_printed(&self, direction: DVec2) -> f64 {
         let cos_squared = self.directions.map(|principal| {
@@ -44,6 +45,7 @@ impl PrincipalUv {
     /// Euler's formula with the angle on the surface, by solving V = a V1 + b V2: right on any chart.
     ///
     /// The mean of both curvatures where the direction is null or V1 and V2 are parallel.
+    #[inline]
     #[must_use]
     pub fn euler_solved(&self, direction: DVec2) -> f64 {
         let [first, second] = self.directions;
@@ -58,6 +60,7 @@ impl PrincipalUv {
     }
 
     /// Inside a triangle: curvatures and directions as they are, weighted by the barycentric coordinates.
+    #[inline]
     #[must_use]
     pub fn interpolated(corners: [&Self; 3], weights: [f64; 3]) -> Self {
         let [a, b, c] = corners;
@@ -68,6 +71,7 @@ impl PrincipalUv {
     }
 
     /// The same with directions turned round that point away from those of the first corner.
+    #[inline]
     #[must_use]
     pub fn interpolated_aligned(corners: [&Self; 3], weights: [f64; 3]) -> Self {
         let aligned = corners.map(|corner| {
