@@ -90,8 +90,17 @@ fn shape_operator(slope: [f64; 2], [xx, xy, yy]: [f64; 3]) -> [f64; 3] {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Estimate {
     pub(super) shape: Shape,
-    /// Noise of positions, squared: what the highest degree leaves over; `None` where too few neighbours say.
-    pub(super) noise: Option<f64>,
+    /// What is left over; `None` where too few neighbours say.
+    pub(super) residue: Option<Residue>,
+}
+
+/// The variance of positions that a jet leaves over.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Residue {
+    /// By the degree that was taken.
+    pub(super) fine: f64,
+    /// By two degrees less. Noise is the same to both; the shape of the surface is not.
+    pub(super) coarse: f64,
 }
 
 impl Estimate {
@@ -104,8 +113,12 @@ impl Estimate {
             let freedom = freedom(&patch.fits, degree);
             let shape = Shape::of(patch, degree);
             let supported = degree == 2 || freedom >= LEAST_FREEDOM;
-            (supported && shape.variance * scale <= MOST_AMPLIFIED)
-                .then(|| Self { shape, noise: (freedom >= LEAST_FREEDOM).then(|| noise(patch, degree)) })
+            (supported && shape.variance * scale <= MOST_AMPLIFIED).then(|| {
+                let told = degree >= 4 && freedom >= LEAST_FREEDOM;
+                let residue = told
+                    .then(|| Residue { fine: variance_left(patch, degree), coarse: variance_left(patch, degree - 2) });
+                Self { shape, residue }
+            })
         })
     }
 }
@@ -116,8 +129,8 @@ fn freedom(fits: &JetFits, degree: usize) -> f64 {
     sum * sum / squares - coefficients(degree) as f64
 }
 
-/// The noise of positions, squared, that a degree leaves over.
-fn noise(patch: &Patch, degree: usize) -> f64 {
+/// The variance of positions that a degree leaves over.
+fn variance_left(patch: &Patch, degree: usize) -> f64 {
     let [sum, _] = patch.fits.weights;
     let height = patch.extent[0].max(patch.extent[1]);
     patch.fits.jet(degree).residual / (sum - LEVERAGE * coefficients(degree) as f64) * height * height

@@ -3,7 +3,7 @@
 use barchan_asset::VertexFlags;
 use fearless_simd::{Level, Simd, dispatch};
 
-use super::estimate::Estimate;
+use super::estimate::{Estimate, Residue};
 use super::jet::{LANES, Solver};
 use super::patch::{Fitter, Reach};
 use super::sheets::Sheets;
@@ -25,15 +25,15 @@ const GROWTH: [usize; 2] = [2, 4];
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Found {
     pub(super) curvature: VertexCurvature,
-    /// Noise of positions, squared, where it can be told.
-    pub(super) noise: Option<f64>,
+    /// What the fit left over, where it can be told.
+    pub(super) residue: Option<Residue>,
     /// The variance of the shape under unit noise; infinite where no jet was determined.
     pub(super) variance: f64,
 }
 
 /// Fits every point.
 pub(super) fn fit_all(sheets: &Sheets, method: CurvatureMethod, exec: &Exec) -> Vec<Found> {
-    let unknown = Found { curvature: VertexCurvature::UNKNOWN, noise: None, variance: f64::INFINITY };
+    let unknown = Found { curvature: VertexCurvature::UNKNOWN, residue: None, variance: f64::INFINITY };
     let mut found = vec![unknown; sheets.positions.len()];
     let level = Level::new();
     let blocks = found.chunks_mut(BLOCK).enumerate().collect();
@@ -93,13 +93,13 @@ fn fit_points<S: Simd, const DEGREE: usize>(
                 }
             }
             found[point - first] = match estimate {
-                Some(Estimate { shape, noise }) => {
+                Some(Estimate { shape, residue }) => {
                     let curvature = fitter.vertex(point, &patch.frame, &shape);
-                    Found { curvature, noise, variance: shape.variance }
+                    Found { curvature, residue, variance: shape.variance }
                 }
                 None => {
                     let curvature = fitter.sphere((point, count));
-                    Found { curvature, noise: None, variance: f64::INFINITY }
+                    Found { curvature, residue: None, variance: f64::INFINITY }
                 }
             };
         }

@@ -41,6 +41,8 @@ const MAX_JURY: usize = 32;
 const OUTLYING: f64 = 3.0;
 /// The error, relative to the curvature of the whole, above which noise is worth a second pass.
 const NOISY: f64 = 5e-3;
+/// How many times as much a jet of two degrees less may leave over, if it is noise.
+const MOST_GROWTH: f64 = 2.0;
 
 /// What a candidate is expected to be off by.
 #[derive(Debug, Clone, Copy, Default)]
@@ -51,13 +53,16 @@ struct Outlook {
     variance: [f32; CANDIDATES],
 }
 
-/// The noise of the vertices, squared, if it shows in the curvature.
+/// The noise of the vertices, squared, if it shows in the curvature. What a jet leaves over may as well be shape that it cannot follow; but then
+/// one of a lower degree leaves over far more.
 pub(super) fn noise(found: &[Found]) -> Option<f64> {
-    let noise = median(found.iter().filter_map(|found| found.noise))?;
+    let residues = || found.iter().filter_map(|found| found.residue);
+    let noise = median(residues().map(|residue| residue.fine))?;
+    let growth = median(residues().filter(|residue| residue.fine > 0.0).map(|residue| residue.coarse / residue.fine))?;
     let variance = median(found.iter().map(|found| found.variance).filter(|variance| variance.is_finite()))?;
     let strongest = |found: &Found| found.curvature.principal[0].abs().max(found.curvature.principal[1].abs());
     let squared = median(found.iter().map(|found| strongest(found) * strongest(found)))?;
-    (noise * variance > NOISY * NOISY * squared).then_some(noise)
+    (growth < MOST_GROWTH && noise * variance > NOISY * NOISY * squared).then_some(noise)
 }
 
 fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
@@ -171,7 +176,7 @@ fn take_best<S: Simd>(
         for (&(point, choice), patch) in chosen.iter().zip(&patches) {
             let shape = Shape::of(patch, choice.degree);
             let curvature: VertexCurvature = fitter.vertex(point, &patch.frame, &shape);
-            found[point - first] = Found { curvature, noise: Some(noise), variance: shape.variance };
+            found[point - first] = Found { curvature, variance: shape.variance, ..found[point - first] };
         }
     }
 }
