@@ -3,6 +3,8 @@
 
 #[path = "bad_input/height_map.rs"]
 mod height_map;
+#[path = "bad_input/mesh.rs"]
+mod mesh;
 #[path = "bad_input/mutations.rs"]
 mod mutations;
 #[path = "bad_input/output.rs"]

@@ -1,4 +1,4 @@
-//! The whole road: a height map or a recipe in, a file out, and everything that can be done with the file.
+//! The whole road: a height map, a mesh or a recipe in, a file out, and everything that can be done with the file.
 
 #[path = "end_to_end/bake.rs"]
 mod bake;
@@ -8,6 +8,10 @@ mod compare;
 mod dump;
 #[path = "end_to_end/height_map.rs"]
 mod height_map;
+#[path = "end_to_end/mesh.rs"]
+mod mesh;
+#[path = "end_to_end/mesh_dump.rs"]
+mod mesh_dump;
 #[path = "end_to_end/render.rs"]
 mod render;
 #[path = "end_to_end/samples.rs"]

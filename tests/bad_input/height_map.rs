@@ -12,7 +12,10 @@ fn complaint(name: &str, content: impl AsRef<[u8]>, flags: &str) -> String {
 #[test]
 fn an_empty_file_is_refused() {
     for name in ["a.png", "a.exr", "a.tif", "a.npy"] {
-        assert_eq!(complaint(name, "", ""), "the file is empty; a PNG, EXR, TIFF or NPY file is needed");
+        assert_eq!(
+            complaint(name, "", ""),
+            "the file is empty; a PNG, EXR, TIFF, NPY, OBJ, PLY or glTF file is needed"
+        );
     }
 }
 
@@ -20,11 +23,11 @@ fn an_empty_file_is_refused() {
 fn a_file_of_another_type_is_refused_and_told_what_it_is() {
     assert_eq!(
         complaint("a.png", "Dear diary", ""),
-        "the file is of an unknown format (it begins with 44 65 61 72 20 64 69 61); a PNG, EXR, TIFF or NPY file is needed"
+        "the file is of an unknown format (it begins with 44 65 61 72 20 64 69 61); a PNG, EXR, TIFF, NPY, OBJ, PLY or glTF file is needed"
     );
     assert_eq!(
         complaint("a.png", b"\xff\xd8\xff\xe0", ""),
-        "the file is a JPEG; a PNG, EXR, TIFF or NPY file is needed"
+        "the file is a JPEG; a PNG, EXR, TIFF, NPY, OBJ, PLY or glTF file is needed"
     );
 }
 

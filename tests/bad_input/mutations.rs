@@ -2,7 +2,7 @@
 
 use barchan_asset::vectors::reseal;
 
-use crate::support::{Place, Random, bumpy, noise, npy};
+use crate::support::{Place, Random, Torus, bumpy, noise, npy};
 
 /// The program may succeed, refuse or find a difference; it may not crash, and what it says of an error is one line.
 fn survives(place: &Place, words: &str, what: &str) {
@@ -42,7 +42,7 @@ fn mutated(original: &[u8], alphabet: &[u8], random: &mut Random) -> Vec<u8> {
 fn random_bytes_are_survived_by_every_command() {
     let place = Place::new();
     let mut random = Random(0xBA2C);
-    let magics: [&[u8]; 8] = [
+    let magics: [&[u8]; 11] = [
         b"",
         b"\x89BARCHAN\r\n\x1a\n",
         b"\x89PNG\r\n\x1a\n",
@@ -51,8 +51,11 @@ fn random_bytes_are_survived_by_every_command() {
         b"MM\0*",
         b"\x76\x2f\x31\x01",
         b"(",
+        b"ply\nformat ascii 1.0\n",
+        b"glTF\x02\0\0\0",
+        b"v 0 0 0\nf 1 1 1\n",
     ];
-    for round in 0..64 {
+    for round in 0..88 {
         let mut bytes = magics[round % magics.len()].to_vec();
         let length = random.below(600);
         bytes.extend((0..length).map(|_| random.next() as u8));
@@ -105,6 +108,49 @@ fn tiff() -> Vec<u8> {
     let mut encoder = tiff::encoder::TiffEncoder::new(&mut bytes).unwrap();
     encoder.write_image::<tiff::encoder::colortype::Gray32Float>(13, 11, &noise(13, 11)).unwrap();
     bytes.into_inner()
+}
+
+#[test]
+fn mutated_meshes_are_survived() {
+    let torus = Torus { around: 7, along: 5 };
+    let place = Place::new();
+    let mut random = Random(0x3E5);
+    for (name, whole) in [("obj", torus.obj_with_uvs().into_bytes()), ("ply", torus.ply()), ("glb", torus.glb())] {
+        for round in 0..40 {
+            // Headers are where a reader may go astray.
+            let head = if round % 2 == 0 { whole.len() } else { whole.len().min(700) };
+            let bytes = [&mutated(&whole[..head], &[], &mut random), &whole[head..]].concat();
+            place.write("a", bytes);
+            survives(&place, "bake a -o b", &format!("{name}, round {round}"));
+        }
+    }
+}
+
+#[test]
+fn mutated_curvature_is_survived_by_every_command() {
+    let place = Place::with("torus.obj", Torus { around: 7, along: 5 }.obj_with_uvs());
+    let mut random = Random(0xC0DE);
+    for compression in ["none", "zstd"] {
+        place.ok(&format!("bake torus.obj --compression {compression} -o whole.barchan"));
+        let whole = place.read("whole.barchan");
+        for round in 0..30 {
+            let mut bytes = mutated(&whole, &[], &mut random);
+            // Every other time with the right checksums, so that what is behind them is read.
+            if round % 2 == 0 {
+                reseal(&mut bytes);
+            }
+            place.write("a.barchan", &bytes);
+            for words in [
+                "inspect a.barchan",
+                "validate a.barchan",
+                "dump a.barchan curvature --format csv -o a.csv",
+                "dump a.barchan curvature --format ply --mesh torus.obj -o a.ply",
+                "compare whole.barchan a.barchan",
+            ] {
+                survives(&place, words, &format!("{compression}, round {round}"));
+            }
+        }
+    }
 }
 
 #[test]

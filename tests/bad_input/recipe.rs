@@ -98,7 +98,6 @@ fn a_value_of_the_wrong_type_is_named_with_its_field() {
 fn what_is_missing_double_or_unfinished_is_said() {
     for (recipe, expected) in [
         ("", "1:1: a list of fields in parentheses is needed"),
-        ("(edge: wrap)", "1:12: the field `source` is missing"),
         ("(source: HeightMap())", "1:20: source.HeightMap: the field `path` is missing"),
         (&with("edge: wrap, edge: clamp,"), "3:13: the field `edge` is there twice"),
         ("(source: HeightMap(path: \"a.png\")", "1:33: a comma or a closing `)` is needed"),

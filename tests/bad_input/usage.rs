@@ -58,7 +58,8 @@ fn unknown_words_are_usage_errors() {
 #[test]
 fn a_flag_names_its_value_and_what_would_be_accepted() {
     let place = Place::with("map.npy", npy(4, &bumpy(4, 4)));
-    let tables = "height, horizon, distance, swept_horizon, swept_distance, sky_visibility, bent_normal, aperture_cone";
+    let tables = "height, horizon, distance, swept_horizon, swept_distance, sky_visibility, bent_normal, \
+                  aperture_cone, curvature";
     let arc = "accepted: degrees from within ±360 to a larger number, less than 360 beyond";
     let length = "spacing u is 0; a positive, finite length per texel is needed";
     for (flag, error) in [
@@ -80,7 +81,7 @@ fn a_flag_names_its_value_and_what_would_be_accepted() {
         ("--height-scale inf", "'inf' for '--height-scale <LENGTH>': accepted: a finite number"),
         ("--encoding f64", "'f64' for '--encoding <ENCODING>': accepted: f32, f16, u8, compact"),
         ("--only heat", &format!("'heat' for '--only <TABLE,..>': accepted: {tables}")),
-        ("--method best", "'best' for '--method <METHOD>': accepted: sweep, accurate, exact"),
+        ("--method best", "'best' for '--method <METHOD>': accepted: sweep, fast, accurate, exact"),
         ("--arc 90", &format!("'90' for '--arc <FIRST,LAST>': {arc}")),
         ("--arc 90,0", &format!("'90,0' for '--arc <FIRST,LAST>': {arc}")),
         ("--arc 0,360", &format!("'0,360' for '--arc <FIRST,LAST>': {arc}")),
@@ -101,15 +102,11 @@ fn flags_of_height_maps_are_refused_beside_a_recipe() {
         "--directions 8",
         "--edge wrap",
         "--spacing 2",
-        "--unit metre",
         "--integers raw",
         "--height-scale 2",
         "--height-offset 2",
         "--radius 2",
         "--arc 0,90",
-        "--method exact",
-        "--encoding u8",
-        "--compression zstd",
         "--channel R",
         "--no-data 0",
         "--fill lowest",
@@ -118,6 +115,13 @@ fn flags_of_height_maps_are_refused_beside_a_recipe() {
         assert_eq!(
             place.fails(1, &format!("bake r.ron {flag}")),
             format!("{name} is for a height map without a recipe; set it in r.ron")
+        );
+    }
+    for flag in ["--unit metre", "--method exact", "--encoding u8", "--compression zstd"] {
+        let name = flag.split(' ').next().unwrap();
+        assert_eq!(
+            place.fails(1, &format!("bake r.ron {flag}")),
+            format!("{name} is for a height map or a mesh without a recipe; set it in r.ron")
         );
     }
 }
@@ -160,15 +164,13 @@ fn a_missing_file_is_the_systems_fault_and_named() {
         let message = place.fails(4, words);
         assert_eq!(message, format!("{}: {missing}", words.split(' ').nth(1).unwrap()));
     }
-    let needed = "there is no such file; a PNG, EXR, TIFF, NPY, OBJ, PLY or glTF file is needed";
+    let all = "a PNG, EXR, TIFF, NPY, OBJ, PLY or glTF file is needed";
+    let needed = format!("there is no such file; {all}");
     assert_eq!(place.fails(4, "bake none.png"), format!("none.png: {needed}"));
     place.write("a.ron", "(source: HeightMap(path: \"maps/none.tif\"))");
     assert_eq!(place.fails(4, "bake a.ron"), format!("maps/none.tif: {needed}"));
     assert_eq!(place.fails(4, "inspect ."), ".: this is a folder; a .barchan file is needed");
-    assert_eq!(
-        place.fails(4, "bake . -o x"),
-        ".: this is a folder; a PNG, EXR, TIFF, NPY, OBJ, PLY or glTF file is needed"
-    );
+    assert_eq!(place.fails(4, "bake . -o x"), format!(".: this is a folder; {all}"));
 }
 
 #[cfg(unix)]

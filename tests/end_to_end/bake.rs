@@ -128,7 +128,7 @@ fn the_report_tells_the_time_of_each_stage_and_the_speed() {
 fn every_report_is_json_with_a_versioned_schema() {
     let place = Place::with("r.ron", RIPPLES);
     for (words, schema) in [
-        ("bake r.ron", "barchan.bake/1"),
+        ("bake r.ron", "barchan.bake/2"),
         ("inspect r.barchan", "barchan.inspect/1"),
         ("dump r.barchan height --format npy -o r.npy", "barchan.dump/1"),
         ("validate r.barchan", "barchan.validate/1"),
@@ -153,7 +153,7 @@ fn progress_goes_to_stderr_and_results_to_stdout() {
     assert!(steps.contains(&"horizon 8/8"), "{steps:?}");
 
     let json = place.run("--json bake recipe.ron --progress json");
-    assert_eq!(parse_json(&json.stdout)["schema"], "barchan.bake/1");
+    assert_eq!(parse_json(&json.stdout)["schema"], "barchan.bake/2");
     let lines: Vec<_> = json.stderr.lines().map(parse_json).collect();
     assert!(lines.iter().all(|line| line["schema"] == "barchan.progress/1"));
     assert!(lines.iter().any(|line| line["stage"] == "checksum" && line["done"] == 1 && line["total"] == 1));

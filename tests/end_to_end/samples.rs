@@ -33,7 +33,32 @@ fn follow(sample: &str) {
     assert_eq!(u64::from(rgb(&place.read("lit.png")).width()), drawn["width"].as_u64().unwrap());
 }
 
-/// One test per sample, and a list to hold against the folder.
+/// Bakes a sample of a mesh and does with its curvature what a person would do next.
+fn follow_mesh(sample: &str) {
+    let place = Place::new();
+    let recipe = workspace("samples").join(sample).with_extension("ron");
+    let report = place.json(&format!("bake {} -o baked.barchan", recipe.display()));
+    let findings = place.json("validate baked.barchan");
+    assert_eq!((&findings["valid"], findings["findings"].as_array().unwrap().len()), (&true.into(), 0), "{findings}");
+    let curvature = place.array("baked.barchan", "curvature");
+    assert_eq!(curvature.shape, [report["mesh"]["vertices"].as_u64().unwrap(), 2]);
+    assert!(curvature.values.chunks_exact(2).all(|pair| pair[0] >= pair[1] && pair[1].is_finite()));
+    assert!(curvature.values.iter().any(|&curvature| curvature != 0.0));
+    let mesh = report["mesh"]["path"].as_str().map(|path| format!("--mesh {path}")).unwrap_or_default();
+    place.ok(&format!("dump baked.barchan curvature --format ply {mesh} -o coloured.ply"));
+}
+
+#[test]
+fn demosthenes_curvature() {
+    follow_mesh("demosthenes");
+}
+
+#[test]
+fn rippled_torus_curvature() {
+    follow_mesh("rippled_torus");
+}
+
+/// One test per sample of relief, and a list to hold against the folder.
 macro_rules! samples {
     ($($name:ident),* $(,)?) => {
         $(#[test] fn $name() { follow(stringify!($name)); })*
@@ -41,11 +66,16 @@ macro_rules! samples {
     };
 }
 
-samples!(cylinder_bumps, dunes, fractal_terrain, jacksboro, reptile_skin, ripples);
+samples!(cylinder_bumps, dunes, fractal_terrain, jacksboro, reptile_skin, rippled_torus, ripples);
+
+/// Samples without relief.
+const MESHES: &[&str] = &["demosthenes"];
 
 #[test]
 fn no_sample_is_forgotten() {
     let recipes = files(&workspace("samples"), "ron");
     let names: Vec<_> = recipes.iter().map(|path| path.file_stem().unwrap().to_str().unwrap()).collect();
-    assert_eq!(names, SAMPLES, "add the recipe to the list above");
+    let mut known = [SAMPLES, MESHES].concat();
+    known.sort_unstable();
+    assert_eq!(names, known, "add the recipe to one of the lists above");
 }

@@ -196,6 +196,135 @@ pub(crate) fn noise(width: usize, height: usize) -> Vec<f32> {
     (0..width * height).map(|_| random.below(1 << 20) as f32 / (1 << 20) as f32).collect()
 }
 
+/// A triangle mesh to be written as a file: a torus about the z axis, radii 2 and ½, its numbers exact in f32.
+pub(crate) struct Torus {
+    pub(crate) around: u32,
+    pub(crate) along: u32,
+}
+
+impl Torus {
+    pub(crate) const MAJOR: f64 = 2.0;
+    pub(crate) const MINOR: f64 = 0.5;
+    pub(crate) const USUAL: Self = Self { around: 48, along: 24 };
+
+    /// The angle of vertex i about the tube, from the outer equator upwards.
+    fn angle(&self, index: u32) -> f64 {
+        std::f64::consts::TAU * f64::from(index % self.along) / f64::from(self.along)
+    }
+
+    pub(crate) fn positions(&self) -> Vec<[f32; 3]> {
+        let vertex = |index: u32| {
+            let about = std::f64::consts::TAU * f64::from(index / self.along) / f64::from(self.around);
+            let (sine, cosine) = self.angle(index).sin_cos();
+            let from_axis = Self::MAJOR + Self::MINOR * cosine;
+            [from_axis * about.cos(), from_axis * about.sin(), Self::MINOR * sine].map(|number| number as f32)
+        };
+        (0..self.around * self.along).map(vertex).collect()
+    }
+
+    /// κ1 and κ2 at every vertex.
+    pub(crate) fn curvature(&self) -> Vec<[f64; 2]> {
+        let across = |index| {
+            let cosine = self.angle(index).cos();
+            cosine / (Self::MAJOR + Self::MINOR * cosine)
+        };
+        (0..self.around * self.along).map(|index| [1.0 / Self::MINOR, across(index)]).collect()
+    }
+
+    /// Counter-clockwise seen from outside.
+    pub(crate) fn triangles(&self) -> Vec<[u32; 3]> {
+        let at = |u: u32, v: u32| u % self.around * self.along + v % self.along;
+        let cells = (0..self.around).flat_map(|u| (0..self.along).map(move |v| (u, v)));
+        let cut = |(u, v)| [[at(u, v), at(u + 1, v), at(u + 1, v + 1)], [at(u, v), at(u + 1, v + 1), at(u, v + 1)]];
+        cells.flat_map(cut).collect()
+    }
+
+    pub(crate) fn obj(&self) -> String {
+        let positions = self.positions();
+        let vertices = positions.iter().map(vertex_line);
+        let triangles = self.triangles();
+        let faces = triangles.iter().map(|triangle| {
+            let [a, b, c] = triangle.map(|corner| corner + 1);
+            format!("f {a} {b} {c}\n")
+        });
+        vertices.chain(faces).collect()
+    }
+
+    /// [`Self::obj`] with texture coordinates, which have a seam where each circle closes.
+    pub(crate) fn obj_with_uvs(&self) -> String {
+        let (around, along) = (self.around, self.along);
+        let mut text: String = self.positions().iter().map(vertex_line).collect();
+        for (u, v) in (0..=around).flat_map(|u| (0..=along).map(move |v| (u, v))) {
+            text += &format!("vt {} {}\n", f64::from(u) / f64::from(around), f64::from(v) / f64::from(along));
+        }
+        let corner = |u: u32, v: u32| format!("{}/{}", u % around * along + v % along + 1, u * (along + 1) + v + 1);
+        for (u, v) in (0..around).flat_map(|u| (0..along).map(move |v| (u, v))) {
+            let [a, b, c, d] = [corner(u, v), corner(u + 1, v), corner(u + 1, v + 1), corner(u, v + 1)];
+            text += &format!("f {a} {b} {c} {d}\n");
+        }
+        text
+    }
+
+    pub(crate) fn ply(&self) -> Vec<u8> {
+        let (positions, triangles) = (self.positions(), self.triangles());
+        let (vertices, faces) = (positions.len(), triangles.len());
+        let mut bytes = format!(
+            "ply\nformat binary_little_endian 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\n\
+             property float z\nelement face {faces}\nproperty list uchar uint vertex_indices\nend_header\n"
+        )
+        .into_bytes();
+        bytes.extend(positions.as_flattened().iter().flat_map(|number| number.to_le_bytes()));
+        for triangle in &triangles {
+            bytes.push(3);
+            bytes.extend(triangle.iter().flat_map(|corner| corner.to_le_bytes()));
+        }
+        bytes
+    }
+
+    /// A glTF document, and the buffer that it does not say the place of.
+    pub(crate) fn gltf(&self) -> (Value, Vec<u8>) {
+        let (positions, triangles) = (self.positions(), self.triangles());
+        let mut buffer: Vec<u8> = positions.as_flattened().iter().flat_map(|number| number.to_le_bytes()).collect();
+        let indices_at = buffer.len();
+        buffer.extend(triangles.as_flattened().iter().flat_map(|corner| corner.to_le_bytes()));
+        let json = serde_json::json!({
+            "asset": { "version": "2.0" },
+            "buffers": [{ "byteLength": buffer.len() }],
+            "bufferViews": [
+                { "buffer": 0, "byteOffset": 0, "byteLength": indices_at },
+                { "buffer": 0, "byteOffset": indices_at, "byteLength": buffer.len() - indices_at },
+            ],
+            "accessors": [
+                { "bufferView": 0, "componentType": 5126, "count": positions.len(), "type": "VEC3",
+                  "min": [-2.5, -2.5, -0.5], "max": [2.5, 2.5, 0.5] },
+                { "bufferView": 1, "componentType": 5125, "count": 3 * triangles.len(), "type": "SCALAR" },
+            ],
+            "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 }, "indices": 1 }] }],
+            "nodes": [{ "mesh": 0 }], "scenes": [{ "nodes": [0] }], "scene": 0,
+        });
+        (json, buffer)
+    }
+
+    pub(crate) fn glb(&self) -> Vec<u8> {
+        let (json, buffer) = self.gltf();
+        let mut json = json.to_string().into_bytes();
+        json.resize(json.len().next_multiple_of(4), b' ');
+        let mut bytes = b"glTF".to_vec();
+        let words = |words: &[u32]| words.iter().flat_map(|word| word.to_le_bytes()).collect::<Vec<u8>>();
+        bytes.extend(words(&[2, (28 + json.len() + buffer.len()) as u32, json.len() as u32, 0x4E4F_534A]));
+        bytes.extend(json);
+        bytes.extend(words(&[buffer.len() as u32, 0x004E_4942]));
+        bytes.extend(buffer);
+        bytes
+    }
+}
+
+/// A position to the last bit, as a reader of f64 wants it.
+fn vertex_line(position: &[f32; 3]) -> String {
+    let [x, y, z] = position.map(f64::from);
+    format!("v {x} {y} {z}\n")
+}
+
 /// A picture in colour.
 pub(crate) fn rgb(png: &[u8]) -> image::RgbImage {
     image::ImageReader::with_format(Cursor::new(png), image::ImageFormat::Png).decode().unwrap().into_rgb8()

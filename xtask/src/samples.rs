@@ -44,7 +44,8 @@ pub(crate) fn samples() -> Result<()> {
         barchan(&program, &[&"render", &asset, &"-o", &output], picture.options)?;
     }
     println!("{} pictures in {}", GALLERY.len(), gallery.display());
-    Ok(())
+    // Curved surfaces are no part of a recipe: the study has them.
+    cargo("run --release --quiet -p barchan-study --example study -- pictures")
 }
 
 /// The program that cargo just built, wherever this machine keeps built things.

@@ -65,6 +65,11 @@ impl<'a> Exec<'a> {
         self.spread(indexed, || (), |(), (index, piece)| work(index, piece));
     }
 
+    /// Sorts items of which no two are equal, so that there is only one order.
+    pub(crate) fn sort_distinct<T: Ord + Send>(&self, items: &mut [T]) {
+        self.pool.install(|| items.par_sort_unstable());
+    }
+
     fn spread<T: Send, B>(
         &self,
         pieces: Vec<T>,

@@ -3,7 +3,9 @@
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
-use barchan_asset::{Asset, Limits, Section, TableView, TextureDescriptor};
+use barchan_asset::{
+    Asset, CurvatureDescriptor, CurvatureView, Limits, Section, SectionKind, TableView, TextureDescriptor,
+};
 use barchan_pipeline::Table;
 
 use crate::failure::Failure;
@@ -58,26 +60,57 @@ impl AssetFile {
         Ok(Table::ALL.into_iter().filter(|table| asset.section(table.kind()).is_some()).collect())
     }
 
-    /// Decodes a table, checking its bytes; an error if the file does not have it.
+    /// Decodes a texture, checking its bytes; an error if the file does not have it.
     pub(crate) fn decode(&self, table: Table) -> Result<DecodedTable<'_>, Failure> {
+        let (section, payload) = self.payload(table)?;
+        let descriptor = section.texture().map_err(|error| self.damaged(table, error))?;
+        // Checked here once, so that views made from it later cannot fail.
+        TableView::new(descriptor, &payload).map_err(|error| self.damaged(table, error))?;
+        Ok(DecodedTable { table, descriptor, payload })
+    }
+
+    /// Decodes the curvature of a mesh, checking its bytes; an error if the file has none.
+    pub(crate) fn curvature(&self) -> Result<DecodedCurvature<'_>, Failure> {
+        let (section, payload) = self.payload(Table::Curvature)?;
+        let descriptor = section.curvature().map_err(|error| self.damaged(Table::Curvature, error))?;
+        CurvatureView::new(descriptor, &payload).map_err(|error| self.damaged(Table::Curvature, error))?;
+        Ok(DecodedCurvature { descriptor, payload })
+    }
+
+    /// The provenance as it is stored: a newer program may have written more than this one knows.
+    pub(crate) fn provenance(&self) -> Option<serde_json::Value> {
+        let payload = self.open().ok()?.section(SectionKind::PROVENANCE)?.payload(&self.limits()).ok()?;
+        serde_json::from_slice(&payload).ok()
+    }
+
+    fn payload(&self, table: Table) -> Result<(Section<'_>, Cow<'_, [u8]>), Failure> {
         let missing = || {
             let present = self.tables().map(|tables| list(&tables)).unwrap_or_default();
             self.content(format!("there is no {} table; the file has {present}", table.name()))
         };
         let section = self.open()?.section(table.kind()).ok_or_else(missing)?;
-        self.decode_section(table, &section)
+        if !section.is_intact() {
+            return Err(self.damaged(table, "the checksum does not match; the file is damaged"));
+        }
+        let payload = section.payload(&self.limits()).map_err(|error| self.damaged(table, error))?;
+        Ok((section, payload))
     }
 
-    fn decode_section<'a>(&self, table: Table, section: &Section<'a>) -> Result<DecodedTable<'a>, Failure> {
-        let fail = |error: &dyn std::fmt::Display| self.content(format!("{}: {error}", table.name()));
-        if !section.is_intact() {
-            return Err(fail(&"the checksum does not match; the file is damaged"));
-        }
-        let descriptor = section.texture().map_err(|error| fail(&error))?;
-        let payload = section.payload(&self.limits()).map_err(|error| fail(&error))?;
-        // Checked here once, so that views made from it later cannot fail.
-        TableView::new(descriptor, &payload).map_err(|error| fail(&error))?;
-        Ok(DecodedTable { table, descriptor, payload })
+    fn damaged(&self, table: Table, error: impl std::fmt::Display) -> Failure {
+        self.content(format!("{}: {error}", table.name()))
+    }
+}
+
+/// The curvature of a mesh, decoded.
+pub(crate) struct DecodedCurvature<'a> {
+    pub(crate) descriptor: CurvatureDescriptor,
+    payload: Cow<'a, [u8]>,
+}
+
+impl DecodedCurvature<'_> {
+    /// The table as numbers.
+    pub(crate) fn view(&self) -> CurvatureView<'_> {
+        CurvatureView::new(self.descriptor, &self.payload).expect("checked when it was decoded")
     }
 }
 

@@ -105,8 +105,15 @@ pub(crate) fn error_in(unit: &str, error: f64) -> String {
     match unit {
         "rad" => format!("{}°", number(error.to_degrees())),
         "" => number(error),
+        unit if unit.starts_with("1/") => format!("{} per {}", number(error), &unit[2..]),
         unit => format!("{} {unit}", number(error)),
     }
+}
+
+/// A word as a shell takes it.
+pub(crate) fn shell_word(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/\\._-+:,=@%".contains(c);
+    if word.chars().all(is_plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', r"'\''")) }
 }
 
 /// The first and the last azimuth of a table in degrees; `None` all the way round, or without directions.

@@ -1,7 +1,9 @@
 //! `barchan inspect`: what a file holds.
 
-use barchan_asset::{Asset, Limits, Section, SectionKind, TextureDescriptor};
-use barchan_pipeline::{EncodingProvenance, HorizonProvenance, Provenance};
+use barchan_asset::{Asset, CurvatureDescriptor, CurvatureView, Section, SectionKind, TextureDescriptor, VertexFlags};
+use barchan_pipeline::{
+    CurvatureProvenance, EncodingProvenance, FlagCount, HorizonProvenance, MeshProvenance, Provenance,
+};
 use serde::Serialize;
 
 use crate::args::FileArguments;
@@ -9,6 +11,7 @@ use crate::asset_file::AssetFile;
 use crate::bake::layer_words;
 use crate::console::{self, bytes, number, value_in};
 use crate::failure::{ExitStatus, Failure};
+use crate::mesh_words;
 
 #[derive(Serialize)]
 struct Report {
@@ -35,6 +38,34 @@ struct SectionReport {
     crc32: String,
     intact: bool,
     table: Option<TableReport>,
+    /// Of the curvature of a mesh.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    curvature: Option<CurvatureReport>,
+}
+
+#[derive(Serialize)]
+struct CurvatureReport {
+    vertices: u32,
+    length_unit: &'static str,
+    /// The least κ2 and the greatest κ1, in 1 / length unit.
+    minimum: f32,
+    maximum: f32,
+    columns: Vec<ColumnReport>,
+    /// How many vertices have each remark that any has; `null` where the payload is damaged.
+    flagged: Option<Vec<FlagCount>>,
+    #[serde(skip)]
+    length: &'static str,
+}
+
+#[derive(Serialize)]
+struct ColumnReport {
+    column: &'static str,
+    format: &'static str,
+    bytes: u64,
+    scale: f32,
+    minimum: f32,
+    maximum: f32,
+    worst_case_error: f32,
 }
 
 #[derive(Serialize)]
@@ -85,7 +116,7 @@ fn report(file: &AssetFile, asset: &Asset<'_>) -> Result<Report, Failure> {
         file_bytes: asset.file_size(),
         identity: asset.identity().iter().map(|byte| format!("{byte:02x}")).collect(),
         sections,
-        provenance: provenance(asset, &file.limits()),
+        provenance: file.provenance(),
     })
 }
 
@@ -93,6 +124,9 @@ fn section_report(file: &AssetFile, section: &Section<'_>) -> Result<SectionRepo
     let kind = section.kind();
     let table = (kind.is_texture() && section.is_known()).then(|| section.texture()).transpose();
     let table = table.map_err(|error| file.content(format!("{kind}: {error}")))?;
+    let is_curvature = kind == SectionKind::CURVATURE && section.is_known();
+    let curvature = is_curvature.then(|| section.curvature()).transpose();
+    let curvature = curvature.map_err(|error| file.content(format!("{kind}: {error}")))?;
     Ok(SectionReport {
         kind: kind.to_string(),
         name: kind.name(),
@@ -105,6 +139,7 @@ fn section_report(file: &AssetFile, section: &Section<'_>) -> Result<SectionRepo
         crc32: format!("{:08x}", section.crc32()),
         intact: section.is_intact(),
         table: table.map(table_report),
+        curvature: curvature.map(|descriptor| curvature_report(file, &descriptor)),
     })
 }
 
@@ -136,9 +171,33 @@ fn table_report(descriptor: TextureDescriptor) -> TableReport {
     }
 }
 
-fn provenance(asset: &Asset<'_>, limits: &Limits) -> Option<serde_json::Value> {
-    let payload = asset.section(SectionKind::PROVENANCE)?.payload(limits).ok()?;
-    serde_json::from_slice(&payload).ok()
+fn curvature_report(file: &AssetFile, descriptor: &CurvatureDescriptor) -> CurvatureReport {
+    let vertices = descriptor.vertices();
+    let columns = descriptor.columns().map(|layout| ColumnReport {
+        column: layout.column.name(),
+        format: layout.format.name(),
+        bytes: u64::from(vertices) * u64::from(layout.format.stride()),
+        scale: layout.scale,
+        minimum: layout.range_min,
+        maximum: layout.range_max,
+        worst_case_error: layout.worst_case_error,
+    });
+    let (minimum, maximum) = descriptor.curvature_range();
+    CurvatureReport {
+        vertices,
+        length_unit: descriptor.length_unit().name(),
+        minimum,
+        maximum,
+        columns: columns.collect(),
+        flagged: file.curvature().ok().map(|table| flag_counts(&table.view())),
+        length: descriptor.length_unit().symbol(),
+    }
+}
+
+fn flag_counts(view: &CurvatureView<'_>) -> Vec<FlagCount> {
+    let count = |flag| (0..view.vertices()).filter(|&vertex| view.flags(vertex).contains(flag)).count() as u64;
+    let counts = VertexFlags::ALL.into_iter().map(|(flag, name)| (name.to_owned(), count(flag)));
+    counts.filter(|(_, vertices)| *vertices > 0).map(|(flag, vertices)| FlagCount { flag, vertices }).collect()
 }
 
 fn describe(report: &Report) -> String {
@@ -149,12 +208,15 @@ fn describe(report: &Report) -> String {
     for section in &report.sections {
         let name = section.name.unwrap_or(&section.kind);
         line(name, section_words(section));
-        for words in section.table.iter().flat_map(table_words) {
+        let curvature = section.curvature.iter().flat_map(curvature_words);
+        for words in section.table.iter().flat_map(table_words).chain(curvature) {
             line("", words);
         }
     }
     if let Some(provenance) = &report.provenance {
-        for words in provenance_words(provenance) {
+        let length =
+            report.sections.iter().find_map(|section| section.curvature.as_ref()).map_or("", |found| found.length);
+        for words in provenance_words(provenance, length) {
             line("provenance", words);
         }
     }
@@ -203,18 +265,60 @@ fn table_words(table: &TableReport) -> Vec<String> {
     ]
 }
 
-/// What this program knows of a provenance; all of it, as JSON, where it knows nothing.
-fn provenance_words(json: &serde_json::Value) -> Vec<String> {
+fn curvature_words(curvature: &CurvatureReport) -> Vec<String> {
+    let CurvatureReport { vertices, minimum, maximum, columns, flagged, length, .. } = curvature;
+    let [least, greatest] = [minimum, maximum].map(|&curvature| number(curvature.into()));
+    let per = mesh_words::singular(length);
+    let flagged = match flagged {
+        Some(flagged) => mesh_words::flagged(flagged, (*vertices).into()),
+        None => "its remarks cannot be read".to_owned(),
+    };
+    let mut words = vec![format!("{vertices} vertices, κ from {least} to {greatest} per {per}"), flagged];
+    words.extend(columns.iter().map(|column| {
+        let ColumnReport { column, format, bytes: size, minimum, maximum, worst_case_error, .. } = column;
+        let size = bytes(*size);
+        let [least, greatest] = [minimum, maximum].map(|&value| number(value.into()));
+        match (*column, *worst_case_error) {
+            ("flags", _) => format!("{column} {format}, {size}"),
+            (_, 0.0) => format!("{column} {format}, {size}, {least} to {greatest}, exact"),
+            (_, error) => {
+                format!("{column} {format}, {size}, {least} to {greatest}, encoded to ± {}", number(error.into()))
+            }
+        }
+    }));
+    words
+}
+
+/// What this program knows of a provenance; all of it, as JSON, where it knows nothing. `length` is the symbol of the mesh's unit.
+fn provenance_words(json: &serde_json::Value, length: &str) -> Vec<String> {
     let Ok(provenance) = serde_json::from_value::<Provenance>(json.clone()) else {
         return vec![json.to_string()];
     };
-    let mut words =
-        vec![format!("{}, input {}", provenance.generator, json["input"]), format!("recipe {}", json["recipe"])];
+    let mut words = vec![provenance.generator.clone()];
+    let inputs = [("input", &json["input"]), ("mesh", &json["mesh"])];
+    for (what, input) in inputs.into_iter().filter(|(_, input)| !input.is_null()) {
+        words[0] += &format!(", {what} {input}");
+    }
+    words.push(format!("recipe {}", json["recipe"]));
     words.extend(provenance.horizon.iter().flat_map(horizon_words));
-    words.extend(provenance.swept.map(|swept| format!("{}, {} points", swept.algorithm, swept.points)));
+    if let Some(swept) = &provenance.swept {
+        words.push(format!("{}, {} points", swept.algorithm, swept.points));
+        words.extend(swept.on_mesh.iter().map(|range| format!("swept {}", mesh_words::swept(range, length))));
+    }
     words.extend(provenance.sky.map(|sky| sky.algorithm));
+    if let (Some(curvature), Some(mesh)) = (&provenance.curvature, &provenance.mesh) {
+        words.extend(curvature_provenance_words(curvature, mesh, length));
+    }
     let lossy = provenance.encodings.iter().filter(|encoding| encoding.max > 0.0);
     words.extend(lossy.map(encoding_words));
+    words
+}
+
+fn curvature_provenance_words(curvature: &CurvatureProvenance, mesh: &MeshProvenance, length: &str) -> Vec<String> {
+    let CurvatureProvenance { algorithm, method, hard_edge_degrees, mended, .. } = curvature;
+    let mut words = vec![format!("{algorithm} {}, hard edges beyond {hard_edge_degrees}°", method.name())];
+    words.push(mesh_words::welded(mended, mesh.vertices, length));
+    words.push(mesh_words::found(curvature, length));
     words
 }
 

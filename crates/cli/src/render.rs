@@ -48,6 +48,12 @@ struct Comparison {
 pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json: bool) -> Result<ExitStatus, Failure> {
     output::check_writable(&arguments.output, &arguments.file)?;
     let file = AssetFile::read(&arguments.file)?;
+    if file.tables()? == [Table::Curvature] {
+        return Err(file.content(
+            "the file has the curvature of a mesh alone; a picture needs the relief of a height map, and `dump --format ply` \
+             colours the mesh",
+        ));
+    }
     if arguments.ambient {
         return ambient(&file, arguments, json);
     }

@@ -3,20 +3,18 @@
 use std::io::{Read, Seek, Write};
 use std::path::Path;
 
-use barchan_asset::{Codec, HeightTable};
+use barchan_asset::Codec;
 use barchan_bakers::Exec;
-use barchan_bakers::horizon::HorizonParams;
-use barchan_field::HeightField;
 
 use crate::clock::Clock;
-use crate::directions::{self, DirectionsDone, Task};
+use crate::curvature::{FoundCurvature, WrittenCurvature};
 use crate::error::refused;
-use crate::layout::table_grid;
-use crate::provenance::{EncodingProvenance, HorizonProvenance, Provenance, SkyProvenance, SweptProvenance};
+use crate::provenance::{EncodingProvenance, Provenance, SkyProvenance};
+use crate::relief::{self, ReliefDone};
 use crate::report::Facts;
-use crate::sink::{Sink, WrittenTable};
-use crate::source;
-use crate::{BakeReport, Compression, InputProvenance, PipelineError, Plan, Recipe, Table};
+use crate::sink::Sink;
+use crate::source::Loaded;
+use crate::{BakeReport, Compression, MeshInput, PipelineError, Plan, Table, curvature, mesh_input, source};
 
 /// A finished file and what there is to say about it.
 #[derive(Debug)]
@@ -46,69 +44,80 @@ pub struct Run<'a> {
 /// Directions are baked, encoded and written one after the other. In memory are the field, 4 bytes a texel; what one
 /// direction needs, 8 bytes a texel and the stored form; where tables of the sky are baked, the sums of a
 /// [`barchan_bakers::sky::SkyAccumulator`]; where curvature is swept, 8 bytes a texel for every bend and point; and, if
-/// tables are packed, all of their stored form.
+/// tables are packed, all of their stored form. A mesh, its curvature and the table made of it are in memory as a whole.
 ///
 /// # Errors
-/// Whatever is wrong with the recipe, the height map or the file. What was written to is then no file that a reader opens.
+/// Whatever is wrong with the recipe, the height map, the mesh or the file. What was written to is then no file that a reader
+/// opens.
 pub fn bake<W: Read + Write + Seek>(plan: &Plan, run: &Run<'_>, out: W) -> Result<Baked<W>, PipelineError> {
+    plan.check()?;
     let mut clock = Clock::new(run.progress);
-    let loaded = clock.stage("source", || source::load(&plan.recipe, run.folder))?;
-    let (field, exec) = (&loaded.field, Exec::new(run.threads).map_err(|error| refused("-j", error))?);
+    let inputs = Inputs::load(plan, run, &mut clock)?;
+    let exec = Exec::new(run.threads).map_err(|error| refused("-j", error))?;
+    let mesh = inputs.mesh.as_ref().filter(|_| plan.bakes(Table::Curvature) || plan.sweeps_over_mesh());
+    // Before the relief, which may be swept over the curvatures of the mesh.
+    let found = mesh.map(|mesh| curvature::find(plan, mesh, run, &mut clock)).transpose()?;
+    let on_mesh = found.as_ref().filter(|_| plan.sweeps_over_mesh()).and_then(FoundCurvature::range);
+
     let mut sink = Sink::new(out, codec(plan.recipe.compression), clock);
-    if plan.bakes(Table::Height) {
-        let table = HeightTable { grid: table_grid(field.grid()), values: field.samples() };
-        sink.whole(Table::Height, || table.encode(plan.recipe.height.encoding.into()))?;
-    }
-    let params = plan.needs_horizon().then(|| horizon_params(plan, field));
-    let task = params.as_ref().map(|params| Task { plan, field, params, exec: &exec });
-    let done = task.map(|task| directions::bake(task, &mut sink)).transpose()?;
-    let horizon = params
-        .as_ref()
-        .zip(done)
-        .map(|(params, done)| HorizonProvenance::new(&plan.recipe.horizon, params, done.accuracy));
-    let provenance = provenance(plan, loaded.input.clone(), horizon, done, &sink.written);
+    let relief = match &inputs.relief {
+        Some(loaded) => relief::bake(plan, &loaded.field, on_mesh, &exec, &mut sink)?,
+        None => ReliefDone::default(),
+    };
+    let stored = mesh.zip(found.as_ref()).filter(|_| plan.bakes(Table::Curvature));
+    let curvature = stored.map(|(mesh, found)| found.write(plan, mesh, &mut sink)).transpose()?;
+
+    let mut tables: Vec<_> = sink.written.iter().map(|written| written.table).collect();
+    tables.extend(curvature.as_ref().map(|_| Table::Curvature));
+    let mut encodings: Vec<_> = sink.written.iter().map(EncodingProvenance::new).collect();
+    encodings.extend(curvature.iter().flat_map(WrittenCurvature::encodings));
+    let provenance = Provenance {
+        input: inputs.relief.as_ref().map(|loaded| loaded.input.clone()),
+        mesh: inputs.mesh.as_ref().map(|mesh| mesh.provenance.clone()),
+        horizon: relief.horizon,
+        swept: relief.swept,
+        sky: tables.iter().any(|table| table.is_of_the_sky()).then(SkyProvenance::new),
+        curvature: found.map(|found| found.provenance),
+        encodings,
+        ..Provenance::of_recipe(&plan.recipe, &tables)
+    };
     let json = serde_json::to_string_pretty(&provenance).expect("finite numbers and string keys become JSON");
     let Sink { mut stream, mut clock, written, .. } = sink;
     let finished = clock.stage("checksum", || {
         stream.provenance(&json)?;
         stream.finish()
     })?;
-    let facts = Facts { plan, loaded: &loaded, written: &written, provenance, threads: exec.threads() };
+    let facts = Facts {
+        plan,
+        inputs: &inputs,
+        written: &written,
+        curvature: curvature.as_ref(),
+        provenance,
+        threads: exec.threads(),
+    };
     let report = facts.report(&finished, clock.into_stages());
     Ok(Baked { out: finished.out, report })
+}
+
+/// What there is to bake from: heights, a mesh or both.
+pub(crate) struct Inputs {
+    pub(crate) relief: Option<Loaded>,
+    pub(crate) mesh: Option<MeshInput>,
+}
+
+impl Inputs {
+    fn load(plan: &Plan, run: &Run<'_>, clock: &mut Clock<'_>) -> Result<Self, PipelineError> {
+        let recipe = &plan.recipe;
+        let relief =
+            recipe.source.as_ref().map(|source| clock.stage("source", || source::load(recipe, source, run.folder)));
+        let mesh = recipe.mesh.as_ref().map(|mesh| clock.stage("mesh", || mesh_input::load(recipe, mesh, run.folder)));
+        Ok(Self { relief: relief.transpose()?, mesh: mesh.transpose()? })
+    }
 }
 
 fn codec(compression: Compression) -> Codec {
     match compression {
         Compression::None => Codec::Raw,
         Compression::Zstd => Codec::Zstd,
-    }
-}
-
-fn horizon_params(plan: &Plan, field: &HeightField) -> HorizonParams {
-    let Recipe { horizon, .. } = &plan.recipe;
-    HorizonParams {
-        azimuths: horizon.azimuths(),
-        radius: horizon.radius.unwrap_or_else(|| HorizonParams::default_radius(field.grid())),
-        distance: plan.bakes(Table::Distance),
-        method: horizon.method.into(),
-    }
-}
-
-fn provenance(
-    plan: &Plan,
-    input: InputProvenance,
-    horizon: Option<HorizonProvenance>,
-    done: Option<DirectionsDone>,
-    written: &[WrittenTable],
-) -> Provenance {
-    let tables: Vec<_> = written.iter().map(|written| written.table).collect();
-    let points = done.and_then(|done| done.points);
-    Provenance {
-        horizon,
-        swept: points.map(SweptProvenance::new),
-        sky: tables.iter().any(|table| table.is_of_the_sky()).then(SkyProvenance::new),
-        encodings: written.iter().map(EncodingProvenance::new).collect(),
-        ..Provenance::of_recipe(&plan.recipe, input, &tables)
     }
 }

@@ -22,6 +22,8 @@ pub(crate) struct Task<'a> {
     pub(crate) plan: &'a Plan,
     pub(crate) field: &'a HeightField,
     pub(crate) params: &'a HorizonParams,
+    /// The range of curvatures, if anybody named one.
+    pub(crate) curvature: Option<(f64, f64)>,
     pub(crate) exec: &'a Exec<'a>,
 }
 
@@ -87,7 +89,7 @@ impl<'a> Baker<'a> {
     fn new(task: Task<'a>, clock: &mut Clock<'_>) -> Result<Self, PipelineError> {
         let Task { plan, field, params, .. } = task;
         let flat = HorizonLayer::new(field, params).map_err(|error| refused("horizon", error))?;
-        let swept = match plan.swept_params()? {
+        let swept = match plan.swept_params(task.curvature)? {
             Some(swept) => Some(clock.stage("points", || Swept::new(task, &swept)).map_err(refused_swept)?),
             None => None,
         };
@@ -170,7 +172,7 @@ impl DirectionTables {
         let Task { plan, field, params, .. } = task;
         let (layout, radius) = (TableLayout::new(field.grid(), params), params.radius);
         let steepest = sink.clock.time("bounds", || bounds::steepest_slope(field));
-        let (sweep, bend) = sweep_of(plan, baker).unzip();
+        let (sweep, bend) = sweep_of(task, baker).unzip();
         let mut open = |table: Table| -> Result<Option<OpenTable>, PipelineError> {
             if !plan.bakes(table) || (table.is_swept() && sweep.is_none()) {
                 return Ok(None);
@@ -222,8 +224,8 @@ impl DirectionTables {
 }
 
 /// What the swept tables say of themselves, and the greatest bend to the convex side; `None` where one point is enough.
-fn sweep_of(plan: &Plan, baker: &Baker<'_>) -> Option<(CurvatureSweep, f64)> {
-    let (swept, (curvature_min, curvature_max)) = baker.swept.as_ref().zip(plan.curvature())?;
+fn sweep_of(task: Task<'_>, baker: &Baker<'_>) -> Option<(CurvatureSweep, f64)> {
+    let (swept, (curvature_min, curvature_max)) = baker.swept.as_ref().zip(task.curvature)?;
     let candidates = swept.points.len() as u32 - 1;
     let bend = swept.baker.nodes().bends().iter().copied().fold(0.0, f64::max);
     (candidates > 0).then_some((CurvatureSweep { candidates, curvature_min, curvature_max }, bend))

@@ -25,6 +25,9 @@ pub enum PipelineError {
     /// The shape's parameters.
     #[error("source: {0}")]
     Shape(#[from] FieldError),
+    /// The parameters of a surface.
+    #[error("mesh: {0}")]
+    Surface(FieldError),
     /// A generated field that would not fit.
     #[error("source: {width} × {height} texels are {texels}; at most {limit} are accepted")]
     ShapeTooLarge {
@@ -45,6 +48,17 @@ pub enum PipelineError {
         /// The baker's reason.
         error: BakeError,
     },
+    /// A table that cannot be baked from what the recipe has.
+    #[error("{table} cannot be baked: {missing}")]
+    NoInput {
+        /// The table.
+        table: &'static str,
+        /// `there is no mesh` or `there is no height map`.
+        missing: &'static str,
+    },
+    /// Directions in texture coordinates that a mesh does not have.
+    #[error("curvature: `uv_directions` is true; the mesh has no texture coordinates, so only false is accepted")]
+    NoTextureCoordinates,
     /// A table whose range of curvatures nobody named.
     #[error("scene: `curvature` is missing; {table} needs a range, such as `curvature: (0.0, 0.02)`")]
     NoCurvature {

@@ -42,15 +42,19 @@ pub(crate) fn table_grid(grid: &Grid) -> TableGrid {
         height: grid.height,
         spacing_u: grid.spacing.u(),
         spacing_v: grid.spacing.v(),
-        length_unit: match grid.unit {
-            LengthUnit::SceneUnit => AssetUnit::SceneUnit,
-            LengthUnit::Metre => AssetUnit::Metre,
-            LengthUnit::Centimetre => AssetUnit::Centimetre,
-            LengthUnit::Millimetre => AssetUnit::Millimetre,
-            LengthUnit::Kilometre => AssetUnit::Kilometre,
-        },
+        length_unit: length_unit(grid.unit),
         wrap_u: wrap,
         wrap_v: wrap,
+    }
+}
+
+pub(crate) fn length_unit(unit: LengthUnit) -> AssetUnit {
+    match unit {
+        LengthUnit::SceneUnit => AssetUnit::SceneUnit,
+        LengthUnit::Metre => AssetUnit::Metre,
+        LengthUnit::Centimetre => AssetUnit::Centimetre,
+        LengthUnit::Millimetre => AssetUnit::Millimetre,
+        LengthUnit::Kilometre => AssetUnit::Kilometre,
     }
 }
 

@@ -9,23 +9,34 @@ mod accuracy;
 mod bake;
 mod bounds;
 mod clock;
+mod curvature;
+mod curvature_part;
 mod directions;
 mod error;
 mod layout;
+mod mesh_input;
+mod mesh_provenance;
+mod mesh_recipe;
 mod pair;
 mod plan;
 mod provenance;
 mod recipe;
+mod relief;
 mod report;
 mod sink;
 mod source;
 mod spacing;
+mod swept_range;
 mod syntax;
 mod table;
 
 pub use accuracy::HorizonAccuracy;
 pub use bake::{Baked, Progress, Run, bake};
+pub use curvature_part::CurvaturePart;
 pub use error::PipelineError;
+pub use mesh_input::{MeshInput, generate_mesh, read_mesh_file};
+pub use mesh_provenance::{CurvatureProvenance, FlagCount, MendedMesh, MeshOrigin, MeshProvenance};
+pub use mesh_recipe::{CurvatureEncoding, CurvatureMethod, CurvatureRecipe, MeshFile, MeshSource, SurfaceSource};
 pub use plan::{Decision, Plan, PlannedTable};
 pub use provenance::{
     CanonicalRecipe, EncodingProvenance, HorizonProvenance, InputProvenance, PROVENANCE_SCHEMA, Provenance,
@@ -35,5 +46,6 @@ pub use recipe::{
     Compression, CurvedRecipe, DistanceRecipe, HeightMapSource, HeightRecipe, HorizonMethod, HorizonRecipe, Recipe,
     RecipeError, Scene, ShapeSource, SkyRecipe, Source, TableEncoding,
 };
-pub use report::{BAKE_SCHEMA, BakeReport, GridReport, LeftOut, StageTime, TableReport};
+pub use report::{BAKE_SCHEMA, BakeReport, ColumnReport, GridReport, LeftOut, MeshReport, StageTime, TableReport};
+pub use swept_range::MeshRange;
 pub use table::Table;

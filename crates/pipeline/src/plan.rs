@@ -1,10 +1,11 @@
 //! What will be baked, what is left out, and why.
 
+use barchan_asset::Encoding;
 use barchan_bakers::horizon::Azimuths;
 use barchan_bakers::sky::MIN_SKY_DIRECTIONS;
 use barchan_bakers::swept::SweptParams;
 
-use crate::{HorizonRecipe, PipelineError, Recipe, Scene, Table, TableEncoding};
+use crate::{HorizonRecipe, PipelineError, Recipe, Scene, Table};
 
 /// A recipe with a decision for every table.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,17 +34,20 @@ pub enum Decision {
     Bake,
     /// The scene does not need it.
     LeaveOut,
+    /// The recipe has nothing to bake it from.
+    NoInput,
 }
 
 impl Plan {
-    /// Decides on every table. `only`, where given, overrides the scene.
+    /// Decides on every table. `only`, where given, overrides the scene, but not what there is to bake from.
     #[must_use]
     pub fn new(recipe: Recipe, only: Option<&[Table]>) -> Self {
         let decide = |table| {
             let (decision, reason) = match only {
                 Some(chosen) if chosen.contains(&table) => (Decision::Bake, "named by --only"),
+                _ if !has_input(&recipe, table) => (Decision::NoInput, missing_input(table)),
                 Some(_) => (Decision::LeaveOut, "not named by --only"),
-                None => decide(table, recipe.scene, &recipe.horizon),
+                None => decide(table, &recipe),
             };
             PlannedTable { table, decision, reason }
         };
@@ -56,10 +60,22 @@ impl Plan {
         self.tables.iter().any(|planned| planned.table == table && planned.decision == Decision::Bake)
     }
 
-    /// Whether horizons are looked for: all tables but the heights come from them.
+    /// Whether horizons are looked for: all tables of relief but the heights come from them.
     #[must_use]
     pub fn needs_horizon(&self) -> bool {
-        Table::ALL.into_iter().any(|table| table != Table::Height && self.bakes(table))
+        Table::ALL.into_iter().any(|table| table != Table::Height && !table.is_of_a_mesh() && self.bakes(table))
+    }
+
+    /// Refuses to bake a table from nothing.
+    ///
+    /// # Errors
+    /// The first such table.
+    pub(crate) fn check(&self) -> Result<(), PipelineError> {
+        let baseless = |table: &Table| self.bakes(*table) && !has_input(&self.recipe, *table);
+        match Table::ALL.into_iter().find(baseless) {
+            Some(table) => Err(PipelineError::NoInput { table: table.name(), missing: missing_input(table) }),
+            None => Ok(()),
+        }
     }
 
     /// The range of curvatures that the scene names.
@@ -68,44 +84,70 @@ impl Plan {
         self.recipe.scene.and_then(|scene| scene.curvature)
     }
 
-    /// What to bake over the range of curvatures, if a swept table is wanted.
+    /// Whether the range of curvatures is that of the mesh: somebody has to name it, and the scene does not.
+    #[must_use]
+    pub fn sweeps_over_mesh(&self) -> bool {
+        self.recipe.mesh.is_some() && self.curvature().is_none() && self.swept_table().is_some()
+    }
+
+    fn swept_table(&self) -> Option<Table> {
+        Table::ALL.into_iter().find(|&table| table.is_swept() && self.bakes(table))
+    }
+
+    /// What to bake over a range of curvatures, if a swept table is wanted.
     ///
     /// # Errors
     /// A swept table without a range.
-    pub(crate) fn swept_params(&self) -> Result<Option<SweptParams>, PipelineError> {
-        let Some(table) = Table::ALL.into_iter().find(|&table| table.is_swept() && self.bakes(table)) else {
-            return Ok(None);
-        };
-        let range = self.curvature().ok_or(PipelineError::NoCurvature { table: table.name() })?;
+    pub(crate) fn swept_params(&self, range: Option<(f64, f64)>) -> Result<Option<SweptParams>, PipelineError> {
+        let Some(table) = self.swept_table() else { return Ok(None) };
+        let range = range.ok_or(PipelineError::NoCurvature { table: table.name() })?;
         Ok(Some(self.recipe.curved.params(range)))
+    }
+
+    /// Why the scene does without a table that could be baked; `None` if it is baked or cannot be.
+    pub(crate) fn left_out(&self, table: Table) -> Option<&'static str> {
+        let planned = self.tables.iter().find(|planned| planned.table == table)?;
+        (planned.decision == Decision::LeaveOut).then_some(planned.reason)
     }
 
     /// How a table is stored, or would be.
     #[must_use]
-    pub fn encoding(&self, table: Table) -> TableEncoding {
-        let Recipe { height, horizon, distance, curved, sky, .. } = &self.recipe;
+    pub fn encoding(&self, table: Table) -> Encoding {
+        let Recipe { height, horizon, distance, curved, sky, curvature, .. } = &self.recipe;
         match table {
-            Table::Height => height.encoding,
-            Table::Horizon => horizon.encoding,
-            Table::Distance => distance.encoding,
-            Table::SweptHorizon | Table::SweptDistance => curved.encoding,
-            Table::SkyVisibility | Table::BentNormal | Table::ApertureCone => sky.encoding,
+            Table::Height => height.encoding.into(),
+            Table::Horizon => horizon.encoding.into(),
+            Table::Distance => distance.encoding.into(),
+            Table::SweptHorizon | Table::SweptDistance => curved.encoding.into(),
+            Table::SkyVisibility | Table::BentNormal | Table::ApertureCone => sky.encoding.into(),
+            Table::Curvature => curvature.encoding.into(),
         }
     }
 }
 
 type Reasoned = (Decision, &'static str);
 
-fn decide(table: Table, scene: Option<Scene>, horizon: &HorizonRecipe) -> Reasoned {
+fn has_input(recipe: &Recipe, table: Table) -> bool {
+    if table.is_of_a_mesh() { recipe.mesh.is_some() } else { recipe.source.is_some() }
+}
+
+fn missing_input(table: Table) -> &'static str {
+    if table.is_of_a_mesh() { "there is no mesh" } else { "there is no height map" }
+}
+
+fn decide(table: Table, recipe: &Recipe) -> Reasoned {
+    let Recipe { scene, horizon, mesh, .. } = recipe;
     match table {
         Table::Height => (Decision::Bake, "the surface itself"),
         Table::Horizon => (Decision::Bake, "shadows"),
-        Table::Distance => decide_distance(scene),
-        Table::SweptHorizon | Table::SweptDistance => decide_swept(scene),
+        Table::Distance if mesh.is_some() => (Decision::Bake, "corrects the horizon on the curved mesh"),
+        Table::Distance => decide_distance(*scene),
+        Table::SweptHorizon | Table::SweptDistance => decide_swept(*scene, mesh.is_some()),
         Table::SkyVisibility | Table::BentNormal | Table::ApertureCone => match scene {
-            Some(scene) => decide_sky(table, scene),
+            Some(scene) => decide_sky(table, *scene),
             None => decide_sky_of_a_bare_map(table, horizon),
         },
+        Table::Curvature => (Decision::Bake, "what the mesh is there for"),
     }
 }
 
@@ -119,11 +161,12 @@ fn decide_distance(scene: Option<Scene>) -> Reasoned {
     }
 }
 
-fn decide_swept(scene: Option<Scene>) -> Reasoned {
+fn decide_swept(scene: Option<Scene>, has_mesh: bool) -> Reasoned {
     use Decision::{Bake, LeaveOut};
     match scene {
-        None => (LeaveOut, "no recipe says between which curvatures"),
         Some(Scene { curvature: Some(_), .. }) => (Bake, "keeps the horizon right over the range of curvatures"),
+        _ if has_mesh => (Bake, "keeps the horizon right over the curvatures of the mesh"),
+        None => (LeaveOut, "no recipe says between which curvatures"),
         Some(scene) if scene.is_curved() => (LeaveOut, "the scene does not say between which curvatures"),
         Some(_) => (LeaveOut, "the scene has no curved surfaces"),
     }

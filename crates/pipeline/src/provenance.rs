@@ -8,8 +8,12 @@ use barchan_import::{Fill, Integers};
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::HorizonAccuracy;
+use crate::mesh_provenance::{CurvatureProvenance, MeshProvenance};
 use crate::sink::WrittenTable;
-use crate::{CurvedRecipe, HorizonMethod, HorizonRecipe, Recipe, Scene, ShapeSource, Table, TableEncoding};
+use crate::{
+    CurvatureRecipe, CurvedRecipe, HorizonMethod, HorizonRecipe, MeshRange, Recipe, Scene, ShapeSource, Table,
+    TableEncoding,
+};
 
 /// Names the layout of [`Provenance`] as JSON.
 pub const PROVENANCE_SCHEMA: &str = "barchan.provenance/1";
@@ -21,8 +25,11 @@ pub struct Provenance {
     pub schema: String,
     /// The program and its version.
     pub generator: String,
-    /// What was baked from.
-    pub input: InputProvenance,
+    /// The heights that were baked from, if any were.
+    pub input: Option<InputProvenance>,
+    /// The mesh that was baked from, if any was.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<MeshProvenance>,
     /// The recipe with every default spelled out.
     pub recipe: CanonicalRecipe,
     /// The horizon's baker, if it ran.
@@ -33,6 +40,9 @@ pub struct Provenance {
     /// The baker of the sky, if it ran.
     #[serde(default)]
     pub sky: Option<SkyProvenance>,
+    /// The baker of curvature, if it ran.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curvature: Option<CurvatureProvenance>,
     /// What storing cost each table.
     #[serde(default)]
     pub encodings: Vec<EncodingProvenance>,
@@ -40,15 +50,17 @@ pub struct Provenance {
 
 impl Provenance {
     /// What is known before anything was baked.
-    pub(crate) fn of_recipe(recipe: &Recipe, input: InputProvenance, tables: &[Table]) -> Self {
+    pub(crate) fn of_recipe(recipe: &Recipe, tables: &[Table]) -> Self {
         Self {
             schema: PROVENANCE_SCHEMA.to_owned(),
             generator: concat!("barchan ", env!("CARGO_PKG_VERSION")).to_owned(),
-            input,
+            input: None,
+            mesh: None,
             recipe: CanonicalRecipe::new(recipe, tables.iter().map(|table| table.name().to_owned()).collect()),
             horizon: None,
             swept: None,
             sky: None,
+            curvature: None,
             encodings: Vec::new(),
         }
     }
@@ -110,13 +122,16 @@ pub struct CanonicalRecipe {
     /// How sky visibility, bent normal and aperture cone are stored.
     #[serde(default)]
     pub sky_encoding: Option<TableEncoding>,
+    /// How curvature was found and is stored, where there is a mesh.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curvature: Option<CurvatureRecipe>,
 }
 
 impl CanonicalRecipe {
     pub(crate) fn new(recipe: &Recipe, tables: Vec<String>) -> Self {
         Self {
             spacing: (recipe.spacing.u(), recipe.spacing.v()),
-            unit: recipe.unit,
+            unit: recipe.height_unit(),
             edge: recipe.edge,
             scene: recipe.scene,
             tables,
@@ -125,6 +140,7 @@ impl CanonicalRecipe {
             distance_encoding: recipe.distance.encoding,
             curved: Some(recipe.curved),
             sky_encoding: Some(recipe.sky.encoding),
+            curvature: recipe.mesh.is_some().then_some(recipe.curvature),
         }
     }
 }
@@ -168,11 +184,14 @@ pub struct SweptProvenance {
     pub algorithm: String,
     /// Points per texel and azimuth, that of the flat horizon among them.
     pub points: u32,
+    /// The range of curvatures, where it was taken from the mesh.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub on_mesh: Option<MeshRange>,
 }
 
 impl SweptProvenance {
-    pub(crate) fn new(points: u32) -> Self {
-        Self { algorithm: swept::ALGORITHM.to_owned(), points }
+    pub(crate) fn new(points: u32, on_mesh: Option<MeshRange>) -> Self {
+        Self { algorithm: swept::ALGORITHM.to_owned(), points, on_mesh }
     }
 }
 

@@ -1,5 +1,5 @@
-//! What a person writes: a RON file that says where the relief comes from, what the scene does with it, and how to
-//! store the tables. `samples/dunes.ron` shows every field.
+//! What a person writes: a RON file that says where the relief and the mesh come from, what the scene does with them, and how
+//! to store the tables. `samples/dunes.ron` shows every field that is for relief.
 
 use std::path::PathBuf;
 
@@ -14,18 +14,22 @@ use serde::{Deserialize, Serialize};
 use serde_path_to_error::{Path, Segment};
 use thiserror::Error;
 
+use crate::mesh_recipe::{CurvatureRecipe, MeshSource};
 use crate::spacing::SpacingText;
 use crate::{pair, syntax};
 
 /// A recipe, with every default filled in.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recipe {
-    /// Where the heights come from.
-    pub source: Source,
+    /// Where the heights come from. A parsed recipe has this, [`Self::mesh`] or both.
+    pub source: Option<Source>,
+    /// Where the mesh comes from.
+    pub mesh: Option<MeshSource>,
     /// Length per texel.
     pub spacing: Spacing,
-    /// The unit of heights, spacing and radius.
-    pub unit: LengthUnit,
+    /// The unit of heights, spacing and radius, and of the mesh; `None` is the scene's own, but for a mesh alone what its format
+    /// says.
+    pub unit: Option<LengthUnit>,
     /// What lies beyond the edge.
     pub edge: Edge,
     /// What the scene does with the tables; `None` when nobody said, so that nothing may be left out.
@@ -40,6 +44,8 @@ pub struct Recipe {
     pub curved: CurvedRecipe,
     /// Sky visibility, bent normal and aperture cone.
     pub sky: SkyRecipe,
+    /// The curvature of the mesh.
+    pub curvature: CurvatureRecipe,
     /// How sections are packed.
     pub compression: Compression,
 }
@@ -313,11 +319,14 @@ pub enum Compression {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename = "Recipe")]
 struct RecipeText {
-    source: Source,
+    #[serde(default)]
+    source: Option<Source>,
+    #[serde(default)]
+    mesh: Option<MeshSource>,
     #[serde(default)]
     spacing: SpacingText,
     #[serde(default)]
-    unit: LengthUnit,
+    unit: Option<LengthUnit>,
     #[serde(default = "clamp")]
     edge: Edge,
     #[serde(default)]
@@ -332,6 +341,8 @@ struct RecipeText {
     curved: CurvedRecipe,
     #[serde(default)]
     sky: SkyRecipe,
+    #[serde(default)]
+    curvature: CurvatureRecipe,
     #[serde(default)]
     compression: Compression,
 }
@@ -353,6 +364,12 @@ pub enum RecipeError {
         /// What was found and what would be accepted.
         reason: String,
     },
+    /// Nothing to bake from.
+    #[error(
+        "neither `source` nor `mesh` is there; at least one is needed, such as `mesh: (path: \"rock.obj\")` or \
+         `source: HeightMap(path: \"rock.png\")`"
+    )]
+    NoInput,
     /// Two fields that say the same thing.
     #[error("curved: `points` and `max_error_degrees` are both there; one of them is accepted")]
     PointsTwice,
@@ -365,10 +382,21 @@ impl Recipe {
     /// A recipe for a bare source: every default, and nothing left out.
     #[must_use]
     pub fn bare(source: Source) -> Self {
+        Self { source: Some(source), ..Self::empty() }
+    }
+
+    /// A recipe for a bare mesh: every default.
+    #[must_use]
+    pub fn bare_mesh(mesh: MeshSource) -> Self {
+        Self { mesh: Some(mesh), ..Self::empty() }
+    }
+
+    fn empty() -> Self {
         Self {
-            source,
+            source: None,
+            mesh: None,
             spacing: Spacing::UNIT,
-            unit: LengthUnit::default(),
+            unit: None,
             edge: Edge::Clamp,
             scene: None,
             height: HeightRecipe::default(),
@@ -376,8 +404,21 @@ impl Recipe {
             distance: DistanceRecipe::default(),
             curved: CurvedRecipe::default(),
             sky: SkyRecipe::default(),
+            curvature: CurvatureRecipe::default(),
             compression: Compression::default(),
         }
+    }
+
+    /// The unit of heights, spacing and radius.
+    #[must_use]
+    pub fn height_unit(&self) -> LengthUnit {
+        self.unit.unwrap_or_default()
+    }
+
+    /// The unit of the mesh: that of the heights where there are any. `None` leaves it to the mesh's format.
+    #[must_use]
+    pub fn mesh_unit(&self) -> Option<LengthUnit> {
+        self.unit.or(self.source.as_ref().map(|_| self.height_unit()))
     }
 
     /// Parses a recipe.
@@ -389,8 +430,12 @@ impl Recipe {
         if text.curved.points.is_some() && text.curved.max_error_degrees.is_some() {
             return Err(RecipeError::PointsTwice);
         }
+        if text.source.is_none() && text.mesh.is_none() {
+            return Err(RecipeError::NoInput);
+        }
         Ok(Self {
             source: text.source,
+            mesh: text.mesh,
             spacing: Spacing::new(spacing_u, spacing_v)?,
             unit: text.unit,
             edge: text.edge,
@@ -400,6 +445,7 @@ impl Recipe {
             distance: text.distance,
             curved: text.curved,
             sky: text.sky,
+            curvature: text.curvature,
             compression: text.compression,
         })
     }

@@ -4,12 +4,12 @@ use std::io::{Read, Seek, Write};
 use std::ops::RangeInclusive;
 
 use barchan_asset::{
-    AssetStream, Azimuths, Codec, EncodeError, EncodingLoss, TableEncoder, TableFacts, TableView, TextureDescriptor,
-    TextureTable,
+    AssetStream, Azimuths, Codec, EncodeError, EncodedCurvature, Encoding, EncodingLoss, TableEncoder, TableFacts,
+    TableView, TextureDescriptor, TextureTable,
 };
 
 use crate::clock::Clock;
-use crate::{PipelineError, Table, TableEncoding};
+use crate::{PipelineError, Table};
 
 /// The file being written, what is known of the tables it has, and the time that goes into it.
 pub(crate) struct Sink<'a, W> {
@@ -58,15 +58,21 @@ impl<'a, W: Read + Write + Seek> Sink<'a, W> {
         Ok(())
     }
 
+    /// Writes the curvature of a mesh.
+    pub(crate) fn curvature(&mut self, encoded: &EncodedCurvature) -> Result<(), PipelineError> {
+        self.clock.time("write", || self.stream.add_curvature(encoded, self.codec).map(|_| ()))?;
+        Ok(())
+    }
+
     /// Makes room for a table whose values are known to be within `bounds`.
     pub(crate) fn open(
         &mut self,
         table: Table,
         facts: &TableFacts,
-        encoding: TableEncoding,
+        encoding: Encoding,
         bounds: RangeInclusive<f32>,
     ) -> Result<OpenTable, PipelineError> {
-        let encoder = TableEncoder::new(facts, encoding.into(), bounds.clone()).map_err(refused(table))?;
+        let encoder = TableEncoder::new(facts, encoding, bounds.clone()).map_err(refused(table))?;
         self.stream.open_table(encoder.descriptor(), self.codec)?;
         Ok(OpenTable { table, encoder, bounds, bytes: Vec::new() })
     }

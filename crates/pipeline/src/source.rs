@@ -20,8 +20,8 @@ pub(crate) struct Loaded {
 }
 
 /// Reads or generates the field. Relative paths start at `folder`.
-pub(crate) fn load(recipe: &Recipe, folder: &Path) -> Result<Loaded, PipelineError> {
-    match &recipe.source {
+pub(crate) fn load(recipe: &Recipe, source: &Source, folder: &Path) -> Result<Loaded, PipelineError> {
+    match source {
         Source::Shape(source) => generate(recipe, source),
         Source::HeightMap(source) => read(recipe, source, folder.join(&source.path)),
     }
@@ -33,7 +33,7 @@ fn generate(recipe: &Recipe, source: &ShapeSource) -> Result<Loaded, PipelineErr
     if texels > MAX_SHAPE_TEXELS {
         return Err(PipelineError::ShapeTooLarge { width, height, texels, limit: MAX_SHAPE_TEXELS });
     }
-    let grid = Grid { width, height, spacing: recipe.spacing, unit: recipe.unit, edge: recipe.edge };
+    let grid = Grid { width, height, spacing: recipe.spacing, unit: recipe.height_unit(), edge: recipe.edge };
     Ok(Loaded {
         field: shape.rasterize(grid).map_err(|error: FieldError| PipelineError::Shape(error))?,
         words: format!("generated {}", shape.name()),
@@ -48,7 +48,7 @@ fn read(recipe: &Recipe, source: &HeightMapSource, path: PathBuf) -> Result<Load
         height_scale: source.height_scale,
         height_offset: source.height_offset,
         spacing: recipe.spacing,
-        unit: recipe.unit,
+        unit: recipe.height_unit(),
         edge: recipe.edge,
         channel: source.channel.clone(),
         no_data: source.no_data,

@@ -21,11 +21,13 @@ pub enum Table {
     BentNormal,
     /// The cone of directions towards the visible sky.
     ApertureCone,
+    /// The curvature of a mesh, per vertex.
+    Curvature,
 }
 
 impl Table {
     /// Every table, in the order of the file.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Height,
         Self::Horizon,
         Self::Distance,
@@ -34,6 +36,7 @@ impl Table {
         Self::SkyVisibility,
         Self::BentNormal,
         Self::ApertureCone,
+        Self::Curvature,
     ];
 
     /// The section it is stored in.
@@ -48,6 +51,7 @@ impl Table {
             Self::SkyVisibility => SectionKind::SKY_VISIBILITY,
             Self::BentNormal => SectionKind::BENT_NORMAL,
             Self::ApertureCone => SectionKind::APERTURE_CONE,
+            Self::Curvature => SectionKind::CURVATURE,
         }
     }
 
@@ -61,6 +65,12 @@ impl Table {
     #[must_use]
     pub fn is_of_the_sky(self) -> bool {
         matches!(self, Self::SkyVisibility | Self::BentNormal | Self::ApertureCone)
+    }
+
+    /// Whether it is baked from a mesh; all others are textures, baked from heights.
+    #[must_use]
+    pub fn is_of_a_mesh(self) -> bool {
+        self == Self::Curvature
     }
 
     /// Its name on the command line and in reports: that of its section.

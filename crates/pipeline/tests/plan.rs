@@ -2,7 +2,11 @@
 
 use barchan_field::Shape;
 use barchan_field::shapes::Plane;
-use barchan_pipeline::{Decision, HorizonRecipe, Plan, Recipe, Scene, ShapeSource, Source, Table};
+use barchan_pipeline::{
+    Decision, HorizonRecipe, MeshFile, MeshSource, Plan, Recipe, Scene, ShapeSource, Source, Table,
+};
+
+const NO_MESH: &str = "there is no mesh";
 
 fn plan(scene: Option<Scene>, only: Option<&[Table]>) -> Plan {
     let shape = Shape::Plane(Plane { slope_u: 0.5, slope_v: 0.0 });
@@ -12,7 +16,7 @@ fn plan(scene: Option<Scene>, only: Option<&[Table]>) -> Plan {
 }
 
 /// Baked or not, and why, for each table.
-fn decisions(plan: &Plan) -> [(bool, &'static str); 8] {
+fn decisions(plan: &Plan) -> [(bool, &'static str); 9] {
     Table::ALL.map(|table| {
         let planned = plan.tables.iter().find(|planned| planned.table == table).unwrap();
         assert_eq!(plan.bakes(table), planned.decision == Decision::Bake);
@@ -26,7 +30,8 @@ fn without_a_scene_everything_is_baked_that_is_small_or_can_be() {
     let range = (false, "no recipe says between which curvatures");
     let cone = (false, "no recipe says that the scene has area lights");
     let (height, horizon) = ((true, "the surface itself"), (true, "shadows"));
-    assert_eq!(decisions(&plan(None, None)), [height, horizon, unsaid, range, range, unsaid, unsaid, cone]);
+    let expected = [height, horizon, unsaid, range, range, unsaid, unsaid, cone, (false, NO_MESH)];
+    assert_eq!(decisions(&plan(None, None)), expected);
 }
 
 #[test]
@@ -76,7 +81,7 @@ fn a_range_of_curvatures_asks_for_swept_tables_and_distances() {
 #[test]
 fn a_scene_decides_on_the_sky() {
     let scene = |ambient_light, area_lights| {
-        decisions(&plan(Some(Scene { ambient_light, area_lights, ..Scene::default() }), None))[5..].to_vec()
+        decisions(&plan(Some(Scene { ambient_light, area_lights, ..Scene::default() }), None))[5..8].to_vec()
     };
     let dark = (false, "the scene has no ambient light");
     let (dims, turns) = ((true, "dims the light of the sky"), (true, "turns the light of the sky"));
@@ -95,12 +100,24 @@ fn only_has_the_last_word() {
             let plan = plan(scene, Some(&named));
             let expected = Table::ALL.map(|table| match named.contains(&table) {
                 true => (true, "named by --only"),
+                false if table == Table::Curvature => (false, NO_MESH),
                 false => (false, "not named by --only"),
             });
             assert_eq!(decisions(&plan), expected);
             assert_eq!(plan.needs_horizon(), !named.is_empty());
         }
     }
+}
+
+#[test]
+fn of_a_mesh_alone_there_is_curvature() {
+    let mesh = MeshSource::File(MeshFile { path: "a.obj".into(), mesh: None });
+    let plan = Plan::new(Recipe::bare_mesh(mesh), None);
+    let mut expected = [(false, "there is no height map"); 9];
+    expected[8] = (true, "what the mesh is there for");
+    assert_eq!(decisions(&plan), expected);
+    assert!(plan.tables[..8].iter().all(|planned| planned.decision == Decision::NoInput));
+    assert!(!plan.needs_horizon());
 }
 
 #[test]
@@ -116,6 +133,7 @@ fn tables_are_planned_in_the_order_of_the_file() {
         "sky_visibility",
         "bent_normal",
         "aperture_cone",
+        "curvature",
     ];
     assert_eq!(Table::ALL.map(Table::name), names);
 }

@@ -1,11 +1,13 @@
 //! Recipes as people write them.
 
 use barchan_field::shapes::{Dunes, Plane};
-use barchan_field::{Edge, LengthUnit, Shape, Spacing};
+use barchan_field::surfaces::{Pattern, Tessellation};
+use barchan_field::{Edge, LengthUnit, ParametricSurface, Shape, Spacing};
 use barchan_import::Fill;
 use barchan_pipeline::{
-    Compression, CurvedRecipe, DistanceRecipe, HeightMapSource, HeightRecipe, HorizonMethod, HorizonRecipe, Recipe,
-    RecipeError, Scene, ShapeSource, SkyRecipe, Source, TableEncoding,
+    Compression, CurvatureEncoding, CurvatureMethod, CurvatureRecipe, CurvedRecipe, DistanceRecipe, HeightMapSource,
+    HeightRecipe, HorizonMethod, HorizonRecipe, MeshFile, MeshSource, Recipe, RecipeError, Scene, ShapeSource,
+    SkyRecipe, Source, SurfaceSource, TableEncoding,
 };
 
 const PLANE: &str = "source: Shape(shape: Plane(slope_u: 0.5, slope_v: -0.25), width: 3, height: 2)";
@@ -32,7 +34,10 @@ fn only_the_source_is_needed() {
 #[test]
 fn a_bare_recipe_is_clamped_square_and_leaves_nothing_out() {
     let recipe = Recipe::bare(plane());
-    assert_eq!((recipe.spacing, recipe.unit, recipe.edge), (Spacing::UNIT, LengthUnit::SceneUnit, Edge::Clamp));
+    assert_eq!(
+        (recipe.spacing, recipe.height_unit(), recipe.edge),
+        (Spacing::UNIT, LengthUnit::SceneUnit, Edge::Clamp)
+    );
     assert_eq!((recipe.scene, recipe.compression), (None, Compression::None));
     assert_eq!((recipe.horizon.directions, recipe.horizon.radius), (32, None));
     assert_eq!((recipe.horizon.arc, recipe.horizon.method), (None, HorizonMethod::Accurate));
@@ -53,6 +58,7 @@ fn every_field_is_read() {
             ),
             width: 512, height: 256,
         ),
+        mesh: (path: \"meshes/a.glb\", mesh: \"body\"),
         spacing: (0.5, 0.25),
         unit: kilometre,
         edge: wrap,
@@ -64,6 +70,7 @@ fn every_field_is_read() {
         distance: (encoding: u8),
         curved: (points: 3, encoding: f16),
         sky: (encoding: f32),
+        curvature: (method: fast, hard_edge_degrees: 12.5, encoding: f32, directions: true, uv_directions: true),
         compression: zstd,
     )";
     let dunes = Dunes {
@@ -76,9 +83,10 @@ fn every_field_is_read() {
         seed: 7,
     };
     let expected = Recipe {
-        source: Source::Shape(ShapeSource { shape: Shape::Dunes(dunes), width: 512, height: 256 }),
+        source: Some(Source::Shape(ShapeSource { shape: Shape::Dunes(dunes), width: 512, height: 256 })),
+        mesh: Some(MeshSource::File(MeshFile { path: "meshes/a.glb".into(), mesh: Some("body".into()) })),
         spacing: Spacing::new(0.5, 0.25).unwrap(),
-        unit: LengthUnit::Kilometre,
+        unit: Some(LengthUnit::Kilometre),
         edge: Edge::Wrap,
         scene: Some(Scene {
             curved_surfaces: true,
@@ -98,6 +106,13 @@ fn every_field_is_read() {
         distance: DistanceRecipe { encoding: TableEncoding::U8 },
         curved: CurvedRecipe { points: Some(3), max_error_degrees: None, encoding: TableEncoding::F16 },
         sky: SkyRecipe { encoding: TableEncoding::F32 },
+        curvature: CurvatureRecipe {
+            method: CurvatureMethod::Fast,
+            hard_edge_degrees: 12.5,
+            encoding: CurvatureEncoding::F32,
+            directions: Some(true),
+            uv_directions: true,
+        },
         compression: Compression::Zstd,
     };
     assert_eq!(Recipe::parse(text).unwrap(), expected);
@@ -116,12 +131,12 @@ fn every_field_of_a_height_map_is_read() {
         fill: Some(Fill::Value(1.5)),
         ..HeightMapSource::new("maps/a.tif".into(), 1.0)
     };
-    assert_eq!(Recipe::parse(text).unwrap().source, Source::HeightMap(expected));
+    assert_eq!(Recipe::parse(text).unwrap().source, Some(Source::HeightMap(expected)));
     let bare = Recipe::parse("(source: HeightMap(path: \"a.png\"))").unwrap();
-    assert_eq!(bare.source, Source::HeightMap(HeightMapSource::new("a.png".into(), 1.0)));
+    assert_eq!(bare.source, Some(Source::HeightMap(HeightMapSource::new("a.png".into(), 1.0))));
     for (words, fill) in [("lowest", Fill::Lowest), ("nearest", Fill::Nearest)] {
         let recipe = Recipe::parse(&format!("(source: HeightMap(path: \"a.png\", fill: {words}))")).unwrap();
-        let Source::HeightMap(source) = recipe.source else { panic!("a height map") };
+        let Some(Source::HeightMap(source)) = recipe.source else { panic!("a height map") };
         assert_eq!(source.fill, Some(fill));
     }
 }
@@ -178,8 +193,8 @@ fn a_complaint_tells_line_and_column_and_the_nearest_field() {
     );
     assert_eq!(
         complaint("colour: 3"),
-        "line 1, column 82: unknown field `colour` (accepted: `source`, `spacing`, `unit`, `edge`, `scene`, `height`, \
-         `horizon`, `distance`, `curved`, `sky`, `compression`)"
+        "line 1, column 82: unknown field `colour` (accepted: `source`, `mesh`, `spacing`, `unit`, `edge`, `scene`, \
+         `height`, `horizon`, `distance`, `curved`, `sky`, `curvature`, `compression`)"
     );
     assert_eq!(
         complaint("unit: kilometer"),
@@ -216,7 +231,7 @@ fn points_are_counted_or_follow_from_an_error() {
 fn what_follows_a_recipe_or_is_missing_from_it_is_said() {
     let says = |text: &str| Recipe::parse(text).unwrap_err().to_string();
     assert_eq!(says(""), "line 1, column 1: a list of fields in parentheses is needed");
-    assert_eq!(says("()"), "line 1, column 2: the field `source` is missing");
+    assert_eq!(Recipe::parse("()"), Err(RecipeError::NoInput));
     assert_eq!(says(&format!("({PLANE}) x")), "line 1, column 81: nothing may follow the recipe's closing `)`");
     assert_eq!(complaint("edge: wrap, edge: wrap"), "line 1, column 94: the field `edge` is there twice");
 }
@@ -225,4 +240,61 @@ fn what_follows_a_recipe_or_is_missing_from_it_is_said() {
 fn comments_and_line_ends_of_any_kind_are_accepted() {
     let text = format!("// a comment\r\n(\r\n  /* another */ {PLANE}, // and one more\r\n)\r\n");
     assert_eq!(Recipe::parse(&text).unwrap(), Recipe::bare(plane()));
+}
+
+/// A mesh of a recipe, or what the parser says about it.
+fn mesh(fields: &str) -> Result<MeshSource, String> {
+    let recipe = Recipe::parse(&format!("(mesh: ({fields}))")).map_err(|error| error.to_string())?;
+    Ok(recipe.mesh.unwrap())
+}
+
+#[test]
+fn a_mesh_may_stand_alone_with_every_default() {
+    let file = MeshFile { path: "a.ply".into(), mesh: None };
+    let recipe = Recipe::parse("(mesh: (path: \"a.ply\"))").unwrap();
+    assert_eq!(recipe, Recipe::bare_mesh(MeshSource::File(file)));
+    let CurvatureRecipe { method, hard_edge_degrees, encoding, directions, uv_directions } = recipe.curvature;
+    assert_eq!((method, hard_edge_degrees, encoding), (CurvatureMethod::Accurate, 30.0, CurvatureEncoding::F16));
+    assert_eq!((directions, uv_directions), (None, false));
+}
+
+#[test]
+fn a_surface_is_a_mesh_too() {
+    let surface = ParametricSurface::Torus { major: 2.0, minor: 0.5 };
+    let of = |pattern, seed, uv_seam| {
+        let tessellation = Tessellation { vertices: 4000, pattern, seed, uv_seam };
+        Ok(MeshSource::Surface(Box::new(SurfaceSource { surface, tessellation })))
+    };
+    let torus = "surface: Torus(major: 2.0, minor: 0.5), vertices: 4000";
+    assert_eq!(mesh(torus), of(Pattern::Jittered, 0, false));
+    let all = format!("{torus}, pattern: LongThin(aspect: 20.0), seed: 7, uv_seam: true");
+    assert_eq!(mesh(&all), of(Pattern::LongThin { aspect: 20.0 }, 7, true));
+}
+
+#[test]
+fn a_mesh_is_a_file_or_a_surface() {
+    let sphere = "surface: Sphere(radius: 1.0)";
+    for (fields, expected) in [
+        ("", "neither `path` nor `surface` is there; one of them is needed"),
+        (&format!("path: \"a\", {sphere}"), "`path` and `surface` are both there; one of them is accepted"),
+        ("path: \"a\", seed: 1", "`seed` is for a `surface`; beside `path` only `mesh` is accepted"),
+        (&format!("{sphere}, mesh: \"a\""), "`mesh` is for a `path`, of a glTF file"),
+        (sphere, "the field `vertices` is missing"),
+    ] {
+        let found = mesh(fields).unwrap_err();
+        assert!(found.starts_with("line 1, column ") && found.ends_with(&format!(": mesh: {expected}")), "{found}");
+    }
+}
+
+#[test]
+fn the_mesh_has_the_unit_of_the_heights() {
+    let units = |text: &str| {
+        let recipe = Recipe::parse(text).unwrap();
+        (recipe.height_unit(), recipe.mesh_unit())
+    };
+    // A mesh alone is left to its format, which may know.
+    assert_eq!(units("(mesh: (path: \"a\"))"), (LengthUnit::SceneUnit, None));
+    assert_eq!(units("(mesh: (path: \"a\"), unit: metre)"), (LengthUnit::Metre, Some(LengthUnit::Metre)));
+    let both = format!("({PLANE}, mesh: (path: \"a\"))");
+    assert_eq!(units(&both), (LengthUnit::SceneUnit, Some(LengthUnit::SceneUnit)));
 }

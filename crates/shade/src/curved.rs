@@ -107,9 +107,11 @@ fn full_form(point: StoredPoint, curvature: f64, height: f64, widening: f64) -> 
     if widening <= 0.0 {
         return beyond_the_centre(curvature);
     }
-    let half_sinc = sinc(0.5 * angle);
-    let rise = slope * libm::cos(angle) - stretch * 0.5 * angle * half_sinc * half_sinc;
-    (rise / (widening * sinc(angle))).clamp(NO_HORIZON, CLOSED)
+    // One sine and cosine serve: cos γ = 1 − 2 sin²(γ/2), sinc γ = sinc(γ/2) cos(γ/2).
+    let (sin_half, cos_half) = libm::sincos(0.5 * angle);
+    let half_sinc = sinc(0.5 * angle, sin_half);
+    let rise = slope * (1.0 - 2.0 * sin_half * sin_half) - stretch * 0.5 * angle * half_sinc * half_sinc;
+    (rise / (widening * half_sinc * cos_half)).clamp(NO_HORIZON, CLOSED)
 }
 
 /// Whether a point at the angle γ = κd round the surface's centre may be a horizon, from a texel where the arc is
@@ -130,10 +132,10 @@ fn beyond_the_centre(curvature: f64) -> f64 {
     if curvature > 0.0 { NO_HORIZON } else { CLOSED }
 }
 
-/// sin x / x, to rounding, for any x.
-fn sinc(x: f64) -> f64 {
+/// sin x / x, to rounding, for any x whose sine is given.
+fn sinc(x: f64, sin: f64) -> f64 {
     // Where the next term of the series, x⁴/120, is below rounding.
-    if x.abs() < 1e-4 { 1.0 - x * x / 6.0 } else { libm::sin(x) / x }
+    if x.abs() < 1e-4 { 1.0 - x * x / 6.0 } else { sin / x }
 }
 
 /// The horizon of the smooth base surface from `height` above it: −√(κh(2 + κh)), eq 3 with its sign mended. Heights

@@ -8,23 +8,41 @@
 //! The frame is the asset's: u right, v up the picture, height towards the viewer. A place on a table is given in texels
 //! from the centre of texel (0, 0): `x` counts columns, `y` rows downwards, so texel centres are whole numbers.
 
+mod base;
+mod camera;
 mod curved;
+mod curved_picture;
+mod curved_shadow;
+mod forms;
 mod horizon;
 mod light;
+mod oracle;
 mod picture;
+mod place;
+mod principal;
 mod sky;
 mod surface;
+mod tangent;
 mod texture;
 mod traced;
 
+pub use base::{BaseSurface, Cylinder, Foot, Patch, Plane, Ray, Sphere, SphereChart, SurfacePoint};
+pub use camera::{Camera, Lens};
 pub use curved::{
     CLOSED, Correction, NO_HORIZON, StoredPoint, curved_horizon, geometric_horizon, geometric_horizon_as_printed,
     paper_horizon,
 };
+pub use curved_picture::CurvedPixels;
+pub use curved_shadow::{CurvedMethod, CurvedShadow, MismatchedTables};
+pub use forms::FundamentalForms;
 pub use horizon::HorizonShadow;
 pub use light::DirectionalLight;
+pub use oracle::DisplacedShadow;
 pub use picture::{Palette, Picture, Pixels};
+pub use place::Place;
+pub use principal::PrincipalUv;
 pub use sky::SkyLight;
 pub use surface::Surface;
+pub use tangent::{TangentFrame, TangentLight};
 pub use texture::Texture;
 pub use traced::TracedShadow;

@@ -143,7 +143,7 @@ impl Picture {
 }
 
 /// Linear light to sRGB bytes, with a shoulder instead of a hard clip.
-fn to_srgb(linear: DVec3) -> [u8; 3] {
+pub(crate) fn to_srgb(linear: DVec3) -> [u8; 3] {
     linear.to_array().map(|light| {
         let exposed = 1.0 - libm::exp(-1.2 * light);
         let encoded =

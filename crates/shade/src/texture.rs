@@ -39,6 +39,17 @@ impl Texture {
         }
     }
 
+    /// Decodes one layer of a table of one number a texel into something else.
+    ///
+    /// # Panics
+    /// If the table has no such layer.
+    #[must_use]
+    pub fn map(table: &TableView<'_>, layer: u32, of: impl Fn(f32) -> f32) -> Self {
+        let mut texture = Self::new(table, layer);
+        texture.values.iter_mut().for_each(|value| *value = of(*value));
+        texture
+    }
+
     /// The same texture with every value replaced.
     #[must_use]
     pub fn zip_map(mut self, other: &Self, combine: impl Fn(f32, f32) -> f32) -> Self {

@@ -1,9 +1,11 @@
-//! The program behind `cargo xtask bench`: measures, writes records and the README's tables, and checks one against the other.
+//! The program behind `cargo xtask bench`: measures, writes records, the tables of MEASUREMENTS.md and the charts, and checks one
+//! against the other.
 //!
 //! ```text
-//! cargo run --release -p barchan-study --example study -- measure [--quick] [--only bench,accuracy,shadow,kappa]
+//! cargo run --release -p barchan-study --example study -- measure [--quick] [--only bench,accuracy]
 //! cargo run -p barchan-study --example study -- render
 //! cargo run -p barchan-study --example study -- check
+//! cargo run --release -p barchan-study --example study -- pictures
 //! ```
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program for the terminal")]
@@ -14,13 +16,15 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail};
 use barchan_bakers::Exec;
-use barchan_field::Spacing;
-use barchan_import::{HeightMapOptions, Integers, read_height_map};
+use barchan_field::{Mesh, Spacing};
+use barchan_import::{HeightMapOptions, Integers, MeshOptions, read_height_map, read_mesh};
 use barchan_study::bandwidth::{self, Bandwidth};
 use barchan_study::report::Block;
+use barchan_study::timer::Pace;
 use barchan_study::{
-    Machine, Record, RecordFile, Scale, Scene, Step, horizon_accuracy, horizon_curvature, horizon_shadow,
-    horizon_speed, markdown, run,
+    Machine, Record, RecordFile, Scale, Scene, Step, curvature_accuracy, curvature_interpolation, curvature_speed,
+    curved_effect, curved_pictures, curved_shadow, horizon_accuracy, horizon_curvature, horizon_shadow, horizon_speed,
+    markdown, run,
 };
 use clap::{Parser, Subcommand};
 
@@ -28,8 +32,10 @@ use clap::{Parser, Subcommand};
 const RECORDS: &str = "crates/study/records";
 /// Where a quick run leaves its own, which are worth nothing.
 const QUICK_RECORDS: &str = "target/study";
+/// Where the charts and the pictures are that the document shows.
+const GALLERY: &str = "samples/gallery";
 /// The document whose blocks are filled.
-const DOCUMENT: &str = "README.md";
+const DOCUMENT: &str = "MEASUREMENTS.md";
 
 #[derive(Parser)]
 #[command(about = "Error against run time")]
@@ -40,19 +46,21 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Measure, write records, print the tables and write them to the README
+    /// Measure, write records, print the tables and write them to MEASUREMENTS.md
     Measure {
-        /// A small run: records go to target/study and the README stays as it is
+        /// A small run: records and charts go to target/study and MEASUREMENTS.md stays as it is
         #[arg(long)]
         quick: bool,
-        /// Measure only these, separated by commas: bench, accuracy, shadow, kappa
-        #[arg(long, value_delimiter = ',', value_parser = ["bench", "accuracy", "shadow", "kappa"])]
+        /// Measure only these, separated by commas
+        #[arg(long, value_delimiter = ',', value_parser = Block::ALL.map(Block::name))]
         only: Vec<String>,
     },
-    /// Write the README's tables from the records there are
+    /// Write the tables of MEASUREMENTS.md and the charts from the records there are
     Render,
-    /// Fail if the README's tables are not those of the records
+    /// Fail if the tables of MEASUREMENTS.md or the charts are not those of the records
     Check,
+    /// Draw the figures of curved surfaces into the gallery
+    Pictures,
 }
 
 fn main() -> ExitCode {
@@ -61,6 +69,7 @@ fn main() -> ExitCode {
         Task::Measure { quick: false, only } => measure(Scale::Full, &only).and_then(|()| render()),
         Task::Render => render(),
         Task::Check => check(),
+        Task::Pictures => pictures(),
     };
     if let Err(error) = done {
         eprintln!("study: {error:#}");
@@ -74,27 +83,47 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// What fills a file of records, on so many cores.
-type Measure = fn(Scale, usize) -> Result<Vec<Record>>;
-
 fn measure(scale: Scale, only: &[String]) -> Result<()> {
     let machine = Machine::this();
     let folder = root().join(if scale == Scale::Full { RECORDS } else { QUICK_RECORDS });
     fs::create_dir_all(&folder).with_context(|| format!("{} cannot be made", folder.display()))?;
-    let wanted = |block: Block| only.is_empty() || only.iter().any(|name| name == block.name());
-    let studies: [(Block, Measure); 4] =
-        [(Block::Bench, speed), (Block::Accuracy, accuracy), (Block::Shadow, shadow), (Block::Kappa, curvature)];
-    for (block, study) in studies {
-        if !wanted(block) {
+    for block in Block::ALL {
+        if !only.is_empty() && only.iter().all(|name| name != block.name()) {
             continue;
         }
         eprintln!("\n> {}", block.name());
-        let csv = RecordFile { machine: machine.to_string(), records: study(scale, machine.cores)? }.to_csv()?;
-        let path = folder.join(block.name()).with_extension("csv");
-        fs::write(&path, &csv).with_context(|| format!("{} cannot be written", path.display()))?;
+        let records = records(block, scale, machine.cores)?;
+        let csv = RecordFile { machine: machine.to_string(), records }.to_csv()?;
+        write(&folder.join(block.name()).with_extension("csv"), &csv)?;
+        if scale == Scale::Quick {
+            write_charts(block, Some(&csv), &folder)?;
+        }
         println!("{}\n", block.render(Some(&csv))?);
     }
     Ok(())
+}
+
+/// What fills a file of records, on so many cores.
+fn records(block: Block, scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    match block {
+        Block::Bench => speed(scale, cores),
+        Block::Accuracy => accuracy(scale, cores),
+        Block::Shadow => shadow(scale, cores),
+        Block::Kappa => curvature(scale, cores),
+        Block::CurvedEffect => effect(scale, cores),
+        Block::CurvedShadow => curved_shadows(scale, cores),
+        Block::CurvatureInterpolation => curvature_between_vertices(scale, cores),
+        Block::CurvatureAccuracy => curvature_of_meshes(scale, cores),
+        Block::CurvatureSpeed => curvature_speeds(scale, cores),
+    }
+}
+
+fn write(path: &Path, text: &str) -> Result<()> {
+    fs::write(path, text).with_context(|| format!("{} cannot be written", path.display()))
+}
+
+fn write_charts(block: Block, csv: Option<&str>, folder: &Path) -> Result<()> {
+    block.charts(csv)?.iter().try_for_each(|(name, svg)| write(&folder.join(name).with_extension("svg"), svg))
 }
 
 fn speed(scale: Scale, cores: usize) -> Result<Vec<Record>> {
@@ -134,6 +163,41 @@ fn curvature(scale: Scale, cores: usize) -> Result<Vec<Record>> {
     Ok(run(&study, &scenes, &mut announce)?)
 }
 
+fn effect(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    let mut records = Vec::new();
+    for (study, scenes) in curved_effect::parts(scale, &exec)? {
+        records.extend(run(&study, &scenes, &mut announce)?);
+    }
+    Ok(records)
+}
+
+fn curved_shadows(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    let (study, figures) = curved_shadow::parts(scale, &exec)?;
+    Ok(curved_shadow::measure(&study, &figures, &mut announce)?)
+}
+
+fn curvature_between_vertices(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    let seconds = if scale == Scale::Full { 2.0 } else { 0.01 };
+    let cases = curvature_interpolation::cases(scale, &exec, &scans(scale)?)?;
+    Ok(curvature_interpolation::measure(&cases, &Pace { seconds, max_rounds: 9 }, &mut announce)?)
+}
+
+fn curvature_of_meshes(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    Ok(curvature_accuracy::measure(&curvature_accuracy::parts(scale, &exec), &mut announce)?)
+}
+
+fn curvature_speeds(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let mut records = Vec::new();
+    for heat in curvature_speed::heats(scale, cores)? {
+        records.extend(curvature_speed::measure(&heat, &mut announce)?);
+    }
+    Ok(records)
+}
+
 /// Real terrain, as `samples/jacksboro.ron` describes it; a quick run does without.
 fn terrain(scale: Scale) -> Result<Vec<Scene>> {
     if scale == Scale::Quick {
@@ -145,19 +209,31 @@ fn terrain(scale: Scale) -> Result<Vec<Scene>> {
     Ok(vec![Scene { name: "jacksboro".to_owned(), field }])
 }
 
+/// A real scan; a quick run does without.
+fn scans(scale: Scale) -> Result<Vec<(String, Mesh)>> {
+    if scale == Scale::Quick {
+        return Ok(Vec::new());
+    }
+    let imported = read_mesh(&root().join("samples/demosthenes.ply"), &MeshOptions::default())?;
+    Ok(vec![("demosthenes".to_owned(), imported.mesh)])
+}
+
 fn announce(step: &Step<'_>) {
     eprintln!("  {:>3}/{} {}", step.done + 1, step.total, step.what);
 }
 
-/// A block's markdown, from the records there are.
-fn rendered(block: Block) -> Result<String> {
-    let path = root().join(RECORDS).join(block.name()).with_extension("csv");
-    let csv = match fs::read_to_string(&path) {
-        Ok(text) => Some(text),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => None,
-        Err(error) => return Err(error).with_context(|| format!("{} cannot be read", path.display())),
-    };
-    block.render(csv.as_deref()).with_context(|| format!("{} cannot be shown", path.display()))
+/// The text of a file; `None` if there is none.
+fn read(path: &Path) -> Result<Option<String>> {
+    match fs::read_to_string(path) {
+        Ok(text) => Ok(Some(text)),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(error).with_context(|| format!("{} cannot be read", path.display())),
+    }
+}
+
+/// The records there are of a block.
+fn recorded(block: Block) -> Result<Option<String>> {
+    read(&root().join(RECORDS).join(block.name()).with_extension("csv"))
 }
 
 fn document() -> Result<(PathBuf, String)> {
@@ -169,24 +245,41 @@ fn document() -> Result<(PathBuf, String)> {
 fn render() -> Result<()> {
     let (path, mut text) = document()?;
     for block in Block::ALL {
-        text = markdown::with_block(&text, block.name(), &rendered(block)?)?;
+        let csv = recorded(block)?;
+        text = markdown::with_block(&text, block.name(), &block.render(csv.as_deref())?)?;
+        write_charts(block, csv.as_deref(), &root().join(GALLERY))?;
     }
-    fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))
+    write(&path, &text)
+}
+
+fn pictures() -> Result<()> {
+    let exec = Exec::new(0)?;
+    for (name, picture) in curved_pictures::draw(Scale::Full, &exec, &mut announce)? {
+        let path = root().join(GALLERY).join(name).with_extension("png");
+        let format = image::ExtendedColorType::Rgb8;
+        image::save_buffer(&path, &picture.rgb, picture.width, picture.height, format)
+            .with_context(|| format!("{} cannot be written", path.display()))?;
+    }
+    Ok(())
 }
 
 fn check() -> Result<()> {
     let (_, text) = document()?;
     let mut stale = Vec::new();
     for block in Block::ALL {
-        if markdown::block(&text, block.name())? != rendered(block)? {
-            stale.push(block.name());
+        let csv = recorded(block)?;
+        if markdown::block(&text, block.name())? != block.render(csv.as_deref())? {
+            stale.push(format!("{DOCUMENT}'s {}", block.name()));
+        }
+        for (name, svg) in block.charts(csv.as_deref())? {
+            let path = Path::new(GALLERY).join(name).with_extension("svg");
+            if read(&root().join(&path))?.as_deref() != Some(svg.as_str()) {
+                stale.push(path.display().to_string());
+            }
         }
     }
     if !stale.is_empty() {
-        bail!(
-            "{DOCUMENT} does not show the records of {}; `cargo xtask bench --render` writes what they say",
-            stale.join(", ")
-        );
+        bail!("not what the records say: {}; `cargo xtask bench --render` writes them", stale.join(", "));
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 use barchan_asset::{DescriptorError, EncodeError};
 use barchan_bakers::BakeError;
 use barchan_field::FieldError;
+use barchan_shade::MismatchedTables;
 use thiserror::Error;
 
 /// Why a study cannot go on.
@@ -26,6 +27,12 @@ pub enum StudyError {
     /// A stored table cannot be read.
     #[error(transparent)]
     Table(#[from] DescriptorError),
+    /// Tables do not fit each other.
+    #[error(transparent)]
+    Tables(#[from] MismatchedTables),
+    /// A mesh that is to be shaded has no texture coordinates.
+    #[error("the mesh has no texture coordinates, so it has no fundamental forms")]
+    NoTextureCoordinates,
     /// Text is not a setting.
     #[error("`{text}` is not a setting; words like `method=sweep directions=32` are accepted")]
     Setting {
@@ -35,6 +42,12 @@ pub enum StudyError {
     /// A file of records cannot be read or written.
     #[error("records: {0}")]
     Records(#[from] ::csv::Error),
+    /// A chart cannot be drawn.
+    #[error("chart: {message}")]
+    Chart {
+        /// What the drawing says.
+        message: String,
+    },
     /// A document has no place for a table.
     #[error("the document has no lines `<!-- {name}:begin -->` and `<!-- {name}:end -->` in this order, once each")]
     Markers {

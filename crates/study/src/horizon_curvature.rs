@@ -102,15 +102,9 @@ pub fn parts<'a>(scale: Scale, exec: &'a Exec<'a>) -> Result<(Curvature<'a>, Vec
         Scale::Quick => (32, 4),
     };
     let shapes = Shape::examples().into_iter().filter(Shape::tiles);
-    let scenes = shapes.map(|shape| on_the_base(scenes::by_name(shape.name(), size)?)).collect::<Result<_, _>>()?;
+    let scenes =
+        shapes.map(|shape| scenes::on_the_base(scenes::by_name(shape.name(), size)?)).collect::<Result<_, _>>()?;
     Ok((Curvature { stride, exec }, scenes))
-}
-
-/// The scene with its lowest texel on the base surface.
-fn on_the_base(scene: Scene) -> Result<Scene, StudyError> {
-    let lowest = scene.field.range().0;
-    let heights = scene.field.samples().iter().map(|height| height - lowest).collect();
-    Ok(Scene { field: HeightField::new(*scene.field.grid(), heights)?, ..scene })
 }
 
 fn params() -> HorizonParams {

@@ -17,12 +17,23 @@
 //!
 //! Nothing here prints, and nothing but [`Machine::this`] opens a file: fields come in, records and text go out. The
 //! program behind `cargo xtask bench` is the example `study`. A technique is studied in a file of its own, named after
-//! it: [`horizon_speed`], [`horizon_accuracy`], [`horizon_shadow`]; how its records read in the docs is in [`report`].
+//! it: [`horizon_speed`], [`horizon_accuracy`], [`horizon_shadow`], [`horizon_curvature`] of height fields,
+//! [`curved_effect`], [`curved_shadow`] of relief on curved surfaces, [`curvature_accuracy`], [`curvature_speed`],
+//! [`curvature_interpolation`] of meshes; how its records read in the docs is in [`report`], and as pictures in [`chart`].
 
 pub mod bandwidth;
+pub mod chart;
 mod clock;
 mod csv;
+pub mod curvature_accuracy;
+pub mod curvature_interpolation;
+pub mod curvature_speed;
+pub mod curved_effect;
+pub mod curved_pictures;
+pub mod curved_shadow;
 mod error;
+mod figure_tables;
+pub mod figures;
 pub mod horizon_accuracy;
 pub mod horizon_curvature;
 mod horizon_point;
@@ -30,6 +41,8 @@ pub mod horizon_shadow;
 pub mod horizon_speed;
 mod machine;
 pub mod markdown;
+mod points;
+mod reading;
 mod record;
 pub mod report;
 mod runner;
@@ -38,6 +51,7 @@ pub mod scenes;
 mod setting;
 mod tables;
 pub mod timer;
+pub mod triangle_forms;
 
 pub use clock::{Elapsed, Stopwatch};
 pub use csv::RecordFile;

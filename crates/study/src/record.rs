@@ -1,5 +1,6 @@
 //! The record: what every technique is measured by.
 
+use barchan_field::Mesh;
 use barchan_metrics::{ErrorStats, Percentiles};
 use serde::{Deserialize, Serialize};
 
@@ -18,9 +19,9 @@ pub struct Record {
     pub setting: Setting,
     /// On what.
     pub scene: String,
-    /// Texels along u.
+    /// Texels along u, or vertices of a mesh.
     pub width: u32,
-    /// Texels along v.
+    /// Texels along v, or triangles of a mesh.
     pub height: u32,
     /// What the error columns are errors of.
     pub quantity: Option<Quantity>,
@@ -71,10 +72,20 @@ pub enum Quantity {
     /// Distance to the horizon as a part of the true one; wrong where the point found is not as high as the horizon: see
     /// [`horizon_accuracy`](crate::horizon_accuracy).
     DistanceShare,
+    /// Elevation of the horizon over a curved base, degrees; the wrong share is of a ball that is lit from one side: see
+    /// [`curved_effect`](crate::curved_effect).
+    CurvedElevationDegrees,
     /// Shadow at texel centres: wrong where it is not that of a traced ray. `max` is the wrong share under the worst light.
     ShadowAtCentres,
     /// Shadow anywhere between texel centres, likewise.
     ShadowBetweenCentres,
+    /// The part of places that the sun reaches, 0 … 1: `mean`.
+    LitShare,
+    /// Curvature, relative to the RMS of the larger principal one, without sign, over the mesh or its places. Wrong as the study
+    /// says.
+    Curvature,
+    /// A principal direction, degrees.
+    DirectionDegrees,
 }
 
 /// What a time is divided by.
@@ -85,6 +96,10 @@ pub enum Item {
     TexelDirection,
     /// One place under one light.
     ShadowTest,
+    /// One place of a surface in a picture.
+    Pixel,
+    /// One vertex of a mesh.
+    Vertex,
     /// One byte read or written.
     Byte,
 }
@@ -118,6 +133,19 @@ impl Record {
             scene: scene.name.clone(),
             width: grid.width,
             height: grid.height,
+            ..Self::default()
+        }
+    }
+
+    /// A record of a mesh with nothing measured yet.
+    #[must_use]
+    pub fn of_mesh(technique: &str, setting: Setting, name: &str, mesh: &Mesh) -> Self {
+        Self {
+            technique: technique.to_owned(),
+            setting,
+            scene: name.to_owned(),
+            width: mesh.positions().len() as u32,
+            height: mesh.triangles().len() as u32,
             ..Self::default()
         }
     }

@@ -56,6 +56,13 @@ pub fn by_name(name: &str, size: u32) -> Result<Scene, StudyError> {
     Ok(Scene { name: name.to_owned(), field })
 }
 
+/// The scene with its lowest texel on the base surface.
+pub(crate) fn on_the_base(scene: Scene) -> Result<Scene, StudyError> {
+    let lowest = scene.field.range().0;
+    let heights = scene.field.samples().iter().map(|height| height - lowest).collect();
+    Ok(Scene { field: HeightField::new(*scene.field.grid(), heights)?, ..scene })
+}
+
 fn grid(size: u32, tiles: bool) -> Result<Grid, StudyError> {
     let spacing = Spacing::square(SIDE / f64::from(size.max(1)))?;
     let edge = if tiles { Edge::Wrap } else { Edge::Clamp };

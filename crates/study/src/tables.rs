@@ -1,19 +1,24 @@
 //! Fields and maps as a file stores them: the road from a bake to what a shader reads.
 
 use barchan_asset::{
-    Azimuths, CurvatureSweep, DistanceTable, Encoding, HeightTable, HeightView, HorizonTable, LengthUnit as AssetUnit,
-    MAX_ELEVATION, SweptDistanceTable, SweptHorizonTable, TableGrid, TableView, TextureTable, Wrap,
+    Azimuths, CurvatureSweep, DistanceTable, DistanceView, Encoding, HeightTable, HeightView, HorizonTable,
+    HorizonView, LengthUnit as AssetUnit, MAX_ELEVATION, SweptDistanceTable, SweptDistanceView, SweptHorizonTable,
+    SweptHorizonView, TableGrid, TableView, TextureTable, Wrap,
 };
 use barchan_bakers::horizon::{BentLayer, HorizonMap};
 use barchan_field::{Edge, Grid, HeightField};
-use barchan_shade::{StoredPoint, Surface};
+use barchan_shade::{CurvedShadow, StoredPoint, Surface};
 
 use crate::StudyError;
 
 /// The surface that shadow rays are traced over, exact to f32.
 pub(crate) fn surface(field: &HeightField) -> Result<Surface, StudyError> {
-    let table = HeightTable { grid: table_grid(field.grid()), values: field.samples() }.encode(Encoding::F32)?;
+    let table = heights(field)?;
     Ok(Surface::new(&HeightView::new(*table.descriptor(), table.payload())?))
+}
+
+fn heights(field: &HeightField) -> Result<TextureTable, StudyError> {
+    Ok(HeightTable { grid: table_grid(field.grid()), values: field.samples() }.encode(Encoding::F32)?)
 }
 
 /// A horizon map in its stored form.
@@ -75,6 +80,26 @@ impl StoredPoints {
         let views = self.tables.iter().map(|[elevations, distances]| Ok([elevations.view()?, distances.view()?]));
         let views = views.collect::<Result<_, StudyError>>()?;
         Ok(PointViews { directions: self.directions, views })
+    }
+}
+
+impl StoredPoints {
+    /// What shades curved surfaces by these points, over the relief they were baked from.
+    pub(crate) fn curved_shadow(&self, field: &HeightField) -> Result<CurvedShadow, StudyError> {
+        let [horizon, distance] = &self.tables[0];
+        let horizon = HorizonView::new(*horizon.descriptor(), horizon.payload())?;
+        let distance = DistanceView::new(*distance.descriptor(), distance.payload())?;
+        let swept = match self.tables.get(1) {
+            Some([horizon, distance]) => Some((
+                SweptHorizonView::new(*horizon.descriptor(), horizon.payload())?,
+                SweptDistanceView::new(*distance.descriptor(), distance.payload())?,
+            )),
+            None => None,
+        };
+        let heights = heights(field)?;
+        let heights = HeightView::new(*heights.descriptor(), heights.payload())?;
+        let swept = swept.as_ref().map(|(horizon, distance)| (horizon, distance));
+        Ok(CurvedShadow::new(&horizon, &distance, swept, &heights)?)
     }
 }
 

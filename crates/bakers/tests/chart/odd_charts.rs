@@ -55,6 +55,28 @@ fn without_area_the_mean_curvature_stands_in() {
 }
 
 #[test]
+fn a_triangle_without_texture_does_not_disturb_its_neighbours() {
+    let case = Case::of(patch, 8);
+    let mut triangles = case.mesh.triangles().to_vec();
+    let [a, b, c] = triangles[70];
+    let count = case.mesh.positions().len() as u32;
+    triangles[70] = [a, b, count];
+    triangles.push([a, count, c]);
+    // The new vertex lies in that triangle and has the texture coordinates of its first corner, so that two triangles have none or odd ones.
+    let middle = [a, b, c].map(|vertex| case.mesh.positions()[vertex as usize]).into_iter().sum::<DVec3>() / 3.0;
+    let positions = case.mesh.positions().iter().copied().chain([middle]).collect();
+    let uvs = case.mesh.uvs().unwrap();
+    let uvs = uvs.iter().copied().chain([uvs[a as usize]]).collect();
+    let mesh = Mesh::new(positions, triangles).unwrap().with_uvs(uvs).unwrap();
+    let vertices = case.curvature.vertices.iter().copied().chain([VertexCurvature::UNKNOWN]).collect();
+    let found = forms(&mesh, &curvature(vertices), &Exec::new(1).unwrap()).unwrap();
+    for (vertex, (found, expected)) in found.iter().zip(case.forms()).enumerate() {
+        assert!(difference(found.first, expected.first) < 0.1, "{vertex}: {:?} {:?}", found.first, expected.first);
+    }
+    assert_eq!(found[count as usize].flags, VertexFlags::DEGENERATE_UV);
+}
+
+#[test]
 fn extreme_texture_coordinates_give_finite_forms() {
     let case = Case::of(patch, 4);
     for scale in [1e-300, 1e-100, 1e100, 1e300] {

@@ -8,31 +8,31 @@ use glam::{DVec2, DVec3};
 
 /// A point with its derivatives by (u, v).
 #[derive(Debug, Clone, Copy)]
-pub struct Jet {
-    pub point: DVec3,
-    pub du: DVec3,
-    pub dv: DVec3,
-    pub duu: DVec3,
-    pub duv: DVec3,
-    pub dvv: DVec3,
+pub(crate) struct Jet {
+    pub(crate) point: DVec3,
+    pub(crate) du: DVec3,
+    pub(crate) dv: DVec3,
+    pub(crate) duu: DVec3,
+    pub(crate) duv: DVec3,
+    pub(crate) dvv: DVec3,
 }
 
 impl Jet {
-    pub fn normal(&self) -> DVec3 {
+    pub(crate) fn normal(&self) -> DVec3 {
         self.du.cross(self.dv).normalize()
     }
 
-    pub fn first(&self) -> [f64; 3] {
+    pub(crate) fn first(&self) -> [f64; 3] {
         [self.du.dot(self.du), self.du.dot(self.dv), self.dv.dot(self.dv)]
     }
 
     /// Positive where convex.
-    pub fn second(&self) -> [f64; 3] {
+    pub(crate) fn second(&self) -> [f64; 3] {
         [self.duu, self.duv, self.dvv].map(|second| -second.dot(self.normal()))
     }
 
     /// Principal curvatures and directions, by diagonalising the second form in an orthonormal frame.
-    pub fn curvature(&self) -> VertexCurvature {
+    pub(crate) fn curvature(&self) -> VertexCurvature {
         let normal = self.normal();
         let x = self.du.normalize();
         let y = normal.cross(x);
@@ -54,7 +54,7 @@ impl Jet {
     }
 }
 
-pub fn cylinder(u: f64, v: f64) -> Jet {
+pub(crate) fn cylinder(u: f64, v: f64) -> Jet {
     let (sin, cos) = u.sin_cos();
     Jet {
         point: DVec3::new(2.0 * cos, 2.0 * sin, 3.0 * v),
@@ -67,7 +67,7 @@ pub fn cylinder(u: f64, v: f64) -> Jet {
 }
 
 /// Around the equator of the unit sphere: v is the latitude.
-pub fn sphere(u: f64, v: f64) -> Jet {
+pub(crate) fn sphere(u: f64, v: f64) -> Jet {
     let v = v - 0.5;
     let ((su, cu), (sv, cv)) = (u.sin_cos(), v.sin_cos());
     Jet {
@@ -81,7 +81,7 @@ pub fn sphere(u: f64, v: f64) -> Jet {
 }
 
 /// A sheared polynomial patch that bends either way.
-pub fn patch(u: f64, v: f64) -> Jet {
+pub(crate) fn patch(u: f64, v: f64) -> Jet {
     Jet {
         point: DVec3::new(u + 0.6 * v + 0.1 * v * v, 0.8 * v + 0.2 * u * v, 0.5 * u * u - 0.4 * u * v * v + 0.3 * v),
         du: DVec3::new(1.0, 0.2 * v, u - 0.4 * v * v),
@@ -93,14 +93,14 @@ pub fn patch(u: f64, v: f64) -> Jet {
 }
 
 /// A mesh of a surface over the unit square, its vertices moved at random by up to a quarter of their distance, with exact curvature.
-pub struct Case {
-    pub mesh: Mesh,
-    pub jets: Vec<Jet>,
-    pub curvature: MeshCurvature,
+pub(crate) struct Case {
+    pub(crate) mesh: Mesh,
+    pub(crate) jets: Vec<Jet>,
+    pub(crate) curvature: MeshCurvature,
 }
 
 impl Case {
-    pub fn of(surface: fn(f64, f64) -> Jet, quads: u32) -> Self {
+    pub(crate) fn of(surface: fn(f64, f64) -> Jet, quads: u32) -> Self {
         let mut uvs = Vec::new();
         for row in 0..=quads {
             for column in 0..=quads {
@@ -129,12 +129,12 @@ impl Case {
         Self { mesh, jets, curvature }
     }
 
-    pub fn forms(&self) -> Vec<VertexForms> {
+    pub(crate) fn forms(&self) -> Vec<VertexForms> {
         forms(&self.mesh, &self.curvature, &Exec::new(1).unwrap()).unwrap()
     }
 
     /// The same surface with other texture coordinates.
-    pub fn with_uvs(&self, uv: impl Fn(DVec2) -> DVec2) -> Self {
+    pub(crate) fn with_uvs(&self, uv: impl Fn(DVec2) -> DVec2) -> Self {
         let uvs = self.mesh.uvs().unwrap().iter().map(|&at| uv(at)).collect();
         let mesh = self.mesh.clone().with_uvs(uvs).unwrap();
         Self { mesh, jets: self.jets.clone(), curvature: self.curvature.clone() }
@@ -142,19 +142,19 @@ impl Case {
 }
 
 /// Curvature of a mesh of which nothing else is of interest.
-pub fn curvature(vertices: Vec<VertexCurvature>) -> MeshCurvature {
+pub(crate) fn curvature(vertices: Vec<VertexCurvature>) -> MeshCurvature {
     MeshCurvature { vertices, report: MeshReport::default(), noise: 0.0 }
 }
 
 /// From 0 to 1, the same every time.
-pub fn noise(index: u32, salt: u32) -> f64 {
+pub(crate) fn noise(index: u32, salt: u32) -> f64 {
     let mixed = index.wrapping_mul(0x9E37_79B1) ^ salt.wrapping_mul(0x85EB_CA77);
     let mixed = (mixed ^ mixed >> 15).wrapping_mul(0x2C1B_3C6D);
     f64::from((mixed ^ mixed >> 12).wrapping_mul(0x297A_2D39) >> 8) / f64::from(1 << 24)
 }
 
 /// The largest difference of two forms, over the largest of their numbers.
-pub fn difference(found: [f64; 3], expected: [f64; 3]) -> f64 {
+pub(crate) fn difference(found: [f64; 3], expected: [f64; 3]) -> f64 {
     let size = expected.map(f64::abs).into_iter().fold(0.0, f64::max);
     (0..3).map(|index| (found[index] - expected[index]).abs() / size).fold(0.0, f64::max)
 }

@@ -1,5 +1,6 @@
 //! `barchan dump`: a table's values in formats that other programs read.
 
+mod curvature;
 mod exr;
 mod npy;
 mod picture;
@@ -11,7 +12,7 @@ use barchan_asset::{BentNormalView, Semantic, Unit};
 use barchan_pipeline::Table;
 use serde::Serialize;
 
-use crate::args::{DumpArguments, DumpFormat};
+use crate::args::{CurvatureDumpArguments, DumpArguments, DumpFormat, TextureDumpArguments};
 use crate::asset_file::{AssetFile, DecodedTable, list};
 use crate::console;
 use crate::failure::{ExitStatus, Failure};
@@ -54,6 +55,8 @@ impl Selection<'_> {
             Table::SweptHorizon => &["swept_horizon"],
             Table::SweptDistance => &["swept_distance"],
             Table::SkyVisibility => &["sky_visibility"],
+            // Not a texture, and never selected as one.
+            Table::Curvature => &[],
         }
     }
 
@@ -87,7 +90,14 @@ pub(crate) fn run(arguments: &DumpArguments, json: bool) -> Result<ExitStatus, F
         output::check_writable(output, &arguments.file)?;
     }
     let file = AssetFile::read(&arguments.file)?;
-    let table = file.decode(chosen_table(&file, arguments.table)?)?;
+    let table = chosen_table(&file, arguments.table)?;
+    if table.is_of_a_mesh() {
+        return curvature::run(&file, arguments, json);
+    }
+    if let Some(flag) = first_curvature_flag(&arguments.curvature) {
+        return Err(Failure::Usage(format!("{flag} is for curvature; {} is a texture", table.name())));
+    }
+    let table = file.decode(table)?;
     let selection = select(&file, arguments, &table)?;
     let bytes = encode(arguments.format, &selection)?;
     let Some(output) = &arguments.output else {
@@ -121,6 +131,12 @@ fn chosen_table(file: &AssetFile, named: Option<Table>) -> Result<Table, Failure
     }
 }
 
+fn first_curvature_flag(flags: &CurvatureDumpArguments) -> Option<&'static str> {
+    let CurvatureDumpArguments { column, mesh, by } = flags;
+    let typed = [("--column", column.is_some()), ("--mesh", mesh.is_some()), ("--by", by.is_some())];
+    typed.into_iter().find(|(_, is_typed)| *is_typed).map(|(flag, _)| flag)
+}
+
 fn select<'a>(
     file: &AssetFile,
     arguments: &DumpArguments,
@@ -132,10 +148,11 @@ fn select<'a>(
         let last = count - 1;
         Failure::Usage(format!("{path}: --{what} is {value}; {name} has {what}s 0 to {last}"))
     };
-    if arguments.mip >= mips {
-        return Err(out_of_range("mip", arguments.mip, mips));
+    let TextureDumpArguments { layer, mip } = arguments.texture;
+    if let Some(mip) = mip.filter(|&mip| mip >= mips) {
+        return Err(out_of_range("mip", mip, mips));
     }
-    match arguments.layer {
+    match layer {
         Some(layer) if layer >= layers => Err(out_of_range("layer", layer, layers)),
         Some(layer) => Ok(Selection { table, layers: layer..layer + 1, single: true }),
         None => Ok(Selection { table, layers: 0..layers, single: layers == 1 }),
@@ -149,12 +166,15 @@ fn encode(format: DumpFormat, selection: &Selection<'_>) -> Result<Vec<u8>, Fail
         DumpFormat::Npy => npy::encode(selection),
         DumpFormat::Png => picture::encode(selection),
         DumpFormat::Exr => exr::encode(selection),
+        DumpFormat::Ply => {
+            Err(Failure::Usage("--format ply is for curvature; text, csv, npy, png and exr show textures".to_owned()))
+        }
     }
 }
 
 /// What the numbers in the output are.
 fn value_words(format: DumpFormat, selection: &Selection<'_>) -> &'static str {
-    use DumpFormat::{Csv, Exr, Npy, Png, Text};
+    use DumpFormat::{Csv, Exr, Npy, Ply, Png, Text};
     match (selection.table.descriptor.semantic, format) {
         (Semantic::BentNormal, Png) => "16-bit red, green, blue for u, v, height from -1 to 1",
         (Semantic::ApertureCone, Png) => {
@@ -169,7 +189,7 @@ fn value_words(format: DumpFormat, selection: &Selection<'_>) -> &'static str {
         (_, Text) => "degrees of elevation",
         (_, Csv) => "degrees of elevation and slope",
         (_, Npy) => "slopes",
-        (_, Exr) => "radians of elevation",
+        (_, Exr | Ply) => "radians of elevation",
     }
 }
 

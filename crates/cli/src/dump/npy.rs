@@ -11,9 +11,13 @@ pub(super) fn encode(selection: &Selection<'_>) -> Result<Vec<u8>, Failure> {
     let is_elevation = selection.is_elevation();
     let values = selection.layers.clone().flat_map(|layer| selection.layer_values(layer));
     let values = values.map(|value| if is_elevation { libm::tan(f64::from(value)) as f32 } else { value });
+    array(&shape(selection), values)
+}
+
+/// An array in C order.
+pub(super) fn array(shape: &[u64], values: impl Iterator<Item = f32>) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
-    write(&mut bytes, &shape(selection), values)
-        .map_err(|error| Failure::Io(format!("the array cannot be encoded: {error}")))?;
+    write(&mut bytes, shape, values).map_err(|error| Failure::Io(format!("the array cannot be encoded: {error}")))?;
     Ok(bytes)
 }
 

@@ -1,6 +1,6 @@
 //! The tables of curved bases: how far each way of reading is off, on each relief; and what encodings cost.
 
-use super::numbers::{NONE, degrees, mean, or_none, short};
+use super::numbers::{NONE, degrees, distinct, mean, or_none, short};
 use crate::markdown::Table;
 use crate::{Record, RecordFile};
 
@@ -24,7 +24,7 @@ fn is_shown(range: (&str, &str), curvature: &str) -> bool {
 const EXACT: &str = "f32";
 
 pub(super) fn render(file: &RecordFile) -> String {
-    let ranges = distinct(&file.records, |record| Some((value(record, "range_min"), value(record, "range_max"))));
+    let ranges = distinct(file.records.iter().map(|record| (value(record, "range_min"), value(record, "range_max"))));
     let tables: Vec<String> = ranges.iter().map(|range| of_range(*range, &file.records)).collect();
     format!("{}\n{}", tables.join("\n"), encodings(&file.records))
 }
@@ -34,7 +34,7 @@ fn of_range(range: (&str, &str), records: &[Record]) -> String {
     let titles = COLUMNS.iter().map(|(.., title)| (*title).to_owned());
     let mut table = Table::new(["relief, κ".to_owned()].into_iter().chain(titles));
     let shown = records.iter().filter(|record| is_shown(range, value(record, "curvature")));
-    let rows = distinct(shown.copied(), |record| Some((record.scene.as_str(), value(record, "curvature"))));
+    let rows = distinct(shown.map(|record| (record.scene.as_str(), value(record, "curvature"))));
     for (scene, curvature) in rows {
         let rms = |(method, points, _): &(&str, &str, &str)| {
             let is = |record: &&&Record| {
@@ -60,10 +60,10 @@ fn encodings(records: &[Record]) -> String {
     let records: Vec<&Record> = records.iter().filter(|record| is_of(record, range)).collect();
     let exact = |record: &&Record| value(record, "method") == "exact" && record.bytes.is_some();
     let kept: Vec<&Record> = records.into_iter().filter(exact).collect();
-    let names = distinct(kept.iter().copied(), |record| Some(value(record, "encoding")));
+    let names = distinct(kept.iter().map(|record| value(record, "encoding")));
     let title = format!("κ from {} to {}", range.0, range.1);
     let mut table = Table::new([title].into_iter().chain(names.iter().map(|name| (*name).to_owned())));
-    for points in distinct(kept.iter().copied(), |record| Some(value(record, "points"))) {
+    for points in distinct(kept.iter().map(|record| value(record, "points"))) {
         let cell = |encoding: &&str| {
             let is = |record: &&&Record| value(record, "points") == points && value(record, "encoding") == *encoding;
             let cell: Vec<&Record> = kept.iter().filter(is).copied().collect();
@@ -96,19 +96,6 @@ fn is_of(record: &Record, range: (&str, &str)) -> bool {
 
 fn reads(record: &Record, method: &str, points: &str) -> bool {
     value(record, "method") == method && value(record, "points") == points
-}
-
-/// Each once, in the order of the first.
-fn distinct<'a, T: PartialEq>(
-    records: impl IntoIterator<Item = &'a Record>,
-    of: impl Fn(&'a Record) -> Option<T>,
-) -> Vec<T> {
-    records.into_iter().filter_map(of).fold(Vec::new(), |mut known, item| {
-        if !known.contains(&item) {
-            known.push(item);
-        }
-        known
-    })
 }
 
 #[cfg(test)]

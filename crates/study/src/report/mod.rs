@@ -1,9 +1,14 @@
-//! How records read in the docs: one block of markdown per file of records.
+//! How records read in the docs: one block of markdown per file of records, and the charts that belong to it.
 //!
-//! A block is a pure function of the file, so that a document can be checked against it.
+//! Both are pure functions of the file, so that a document can be checked against it.
 
 mod accuracy;
 mod curvature;
+mod curved;
+mod effect;
+mod interpolation;
+mod mesh_accuracy;
+mod mesh_speed;
 mod numbers;
 mod promises;
 mod shadow;
@@ -22,11 +27,31 @@ pub enum Block {
     Shadow,
     /// What curved bases do to it: [`horizon_curvature`](crate::horizon_curvature).
     Kappa,
+    /// Where curvature matters: [`curved_effect`](crate::curved_effect).
+    CurvedEffect,
+    /// What the shader decides on curved surfaces: [`curved_shadow`](crate::curved_shadow).
+    CurvedShadow,
+    /// Curvature between vertices: [`curvature_interpolation`](crate::curvature_interpolation).
+    CurvatureInterpolation,
+    /// How exact baked curvature is: [`curvature_accuracy`](crate::curvature_accuracy).
+    CurvatureAccuracy,
+    /// How fast it is baked: [`curvature_speed`](crate::curvature_speed).
+    CurvatureSpeed,
 }
 
 impl Block {
     /// Every block, in the order of the docs.
-    pub const ALL: [Self; 4] = [Self::Bench, Self::Accuracy, Self::Shadow, Self::Kappa];
+    pub const ALL: [Self; 9] = [
+        Self::Bench,
+        Self::Accuracy,
+        Self::Shadow,
+        Self::Kappa,
+        Self::CurvedEffect,
+        Self::CurvedShadow,
+        Self::CurvatureInterpolation,
+        Self::CurvatureAccuracy,
+        Self::CurvatureSpeed,
+    ];
 
     /// The name of the file, without `.csv`, and of the block.
     #[must_use]
@@ -36,6 +61,11 @@ impl Block {
             Self::Accuracy => "accuracy",
             Self::Shadow => "shadow",
             Self::Kappa => "kappa",
+            Self::CurvedEffect => "curved_effect",
+            Self::CurvedShadow => "curved_shadow",
+            Self::CurvatureInterpolation => "curvature_interpolation",
+            Self::CurvatureAccuracy => "curvature_accuracy",
+            Self::CurvatureSpeed => "curvature_speed",
         }
     }
 
@@ -45,11 +75,28 @@ impl Block {
     /// A text that is not of this file's columns.
     pub fn render(self, csv: Option<&str>) -> Result<String, StudyError> {
         let Some(csv) = csv else { return Ok("*Not measured yet.*\n".to_owned()) };
-        match self {
-            Self::Bench => Ok(speed::render(&RecordFile::from_csv(csv)?)),
-            Self::Accuracy => Ok(accuracy::render(&RecordFile::from_csv(csv)?)),
-            Self::Shadow => Ok(shadow::render(&RecordFile::from_csv(csv)?)),
-            Self::Kappa => Ok(curvature::render(&RecordFile::from_csv(csv)?)),
+        let file = RecordFile::from_csv(csv)?;
+        Ok(match self {
+            Self::Bench => speed::render(&file),
+            Self::Accuracy => accuracy::render(&file),
+            Self::Shadow => shadow::render(&file),
+            Self::Kappa => curvature::render(&file),
+            Self::CurvedEffect => effect::render(&file),
+            Self::CurvedShadow => curved::render(&file),
+            Self::CurvatureInterpolation => interpolation::render(&file),
+            Self::CurvatureAccuracy => mesh_accuracy::render(&file),
+            Self::CurvatureSpeed => mesh_speed::render(&file),
+        })
+    }
+
+    /// The charts that belong to the block, as SVG, and their names without `.svg`.
+    ///
+    /// # Errors
+    /// As for [`Block::render`].
+    pub fn charts(self, csv: Option<&str>) -> Result<Vec<(&'static str, String)>, StudyError> {
+        match (self, csv) {
+            (Self::CurvedEffect, Some(csv)) => effect::charts(&RecordFile::from_csv(csv)?),
+            _ => Ok(Vec::new()),
         }
     }
 }

@@ -29,9 +29,24 @@ pub(super) fn percent(share: f64) -> String {
     if percent > 0.0 && percent < 0.005 { "<0.01 %".to_owned() } else { format!("{percent:.decimals$} %") }
 }
 
+/// Two digits of a number that may be very small: 3.2e-4.
+pub(super) fn scientific(number: f64) -> String {
+    format!("{number:.1e}")
+}
+
 /// The mean; `None` of nothing.
 pub(super) fn mean(numbers: &[f64]) -> Option<f64> {
     (!numbers.is_empty()).then(|| numbers.iter().sum::<f64>() / numbers.len() as f64)
+}
+
+/// Each once, in the order of the first.
+pub(super) fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
+    items.into_iter().fold(Vec::new(), |mut known, item| {
+        if !known.contains(&item) {
+            known.push(item);
+        }
+        known
+    })
 }
 
 /// A number in words, or the sign for none.

@@ -8,6 +8,7 @@ use glam::{DVec2, DVec3};
 
 use super::super::VertexCurvature;
 use super::super::sheets::places;
+use crate::Exec;
 
 /// A vertex with more triangles is the hub of a fan: those around it are no neighbours of each other.
 const HUB: usize = 64;
@@ -27,8 +28,8 @@ pub(super) struct Charts<'a> {
 }
 
 impl<'a> Charts<'a> {
-    pub(super) fn of(mesh: &'a Mesh, uvs: &'a [DVec2], curvature: &[VertexCurvature]) -> Self {
-        let speakers = speakers(mesh, uvs, curvature);
+    pub(super) fn of(mesh: &'a Mesh, uvs: &'a [DVec2], curvature: &[VertexCurvature], exec: &Exec) -> Self {
+        let speakers = speakers(mesh, uvs, curvature, exec);
         let speaker_at = |vertex: &u32| speakers[*vertex as usize] as usize;
         let mut starts = vec![0_u32; speakers.len() + 1];
         for vertex in mesh.triangles().iter().flatten() {
@@ -124,8 +125,8 @@ impl<'a> Charts<'a> {
     }
 }
 
-fn speakers(mesh: &Mesh, uvs: &[DVec2], curvature: &[VertexCurvature]) -> Vec<u32> {
-    let places = places(mesh);
+fn speakers(mesh: &Mesh, uvs: &[DVec2], curvature: &[VertexCurvature], exec: &Exec) -> Vec<u32> {
+    let places = places(mesh, exec);
     let mut speakers: Vec<u32> = (0..uvs.len() as u32).collect();
     let mut doubled = doubled(&places);
     let key = |vertex: u32| {

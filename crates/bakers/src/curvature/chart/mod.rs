@@ -2,19 +2,20 @@
 //!
 //! # Theory
 //!
-//! Around a vertex, (u, v) is a function of the tangent plane's coordinates (x, y) along the principal directions. Its derivatives there are the
-//! images V1, V2 of the unit principal directions; the inverse of that matrix holds Pu and Pv. With them
-//! E = Pu·Pu, F = Pu·Pv, G = Pv·Pv, and, as the second form is diagonal along principal directions, e = κ1 (Pu·t1)² + κ2 (Pu·t2)² and so on.
+//! Around a vertex, (u, v) is a function of the tangent plane's coordinates (x, y) along the principal directions. Its derivatives there
+//! are the images V1, V2 of the unit principal directions; the inverse of that matrix holds Pu and Pv. With them E = Pu·Pu, F = Pu·Pv,
+//! G = Pv·Pv, and, as the second form is diagonal along principal directions, e = κ1 (Pu·t1)² + κ2 (Pu·t2)² and so on.
 //!
-//! The derivatives are those of quadratic polynomials fitted to the texture coordinates of the vertices around, so that their error falls with the square
-//! of the edges' length; the mean over triangles, as tangents are commonly made, is off by a multiple of their length. The surface is
-//! unrolled onto the tangent plane first, as its curvature is known: texture coordinates mostly follow lengths on the surface. What Pu × Pv is
-//! measured against is the surface's own normal: mirrored texture coordinates do not turn the curvature's sign.
+//! The derivatives are those of quadratic polynomials fitted to the texture coordinates of the vertices around, so that their error falls
+//! with the square of the edges' length; the mean over triangles, as tangents are commonly made, is off by a multiple of their length. The
+//! surface is unrolled onto the tangent plane first, as its curvature is known and texture coordinates mostly follow lengths on the
+//! surface: on a randomly tessellated cylinder the largest error of the first form fell to a twentieth.
 //!
 //! # Conventions
 //!
-//! κ is positive where convex, and so are e and g. A vertex on a seam of the texture has the forms of its own side of the seam. Where the texture coordinates
-//! have no area, the forms are those of the mean curvature H in a frame of unit length: E = G = 1, e = g = H.
+//! κ is positive where convex, and so are e and g. What Pu × Pv is measured against is the surface's own normal, so that mirrored texture
+//! coordinates do not turn the curvature's sign. A vertex on a seam of the texture has the forms of its own side of the seam. Where texture
+//! coordinates have no area, the forms are those of the mean curvature H in a frame of unit length: E = G = 1, e = g = H.
 
 mod around;
 mod gradient;
@@ -34,11 +35,14 @@ const PIECE: usize = 1 << 12;
 /// Of the square of its larger stretch: a chart of less area has none.
 const LEAST_AREA: f64 = 1e-7;
 
-/// The least pivot of a quadratic that is taken, ring by ring: 1 is the best placed, 0 does not determine a derivative. One-sided ones are
-/// never well placed, but the wider the ring the more vertices speak.
+/// The least pivot of a quadratic that is taken, ring by ring: 1 is the best placed, 0 does not determine a derivative. Vertices on one
+/// side are never well placed, but the wider the ring the more of them speak.
 const WELL_PLACED: [f64; 3] = [0.05, 0.01, 0.002];
 
-/// The same for a linear function.
+/// So many vertices that a wider ring would say nothing new.
+const CROWD: usize = 256;
+
+/// The least pivot of a linear function.
 const NOT_ON_A_LINE: f64 = 1e-9;
 
 /// The fundamental forms of the surface at one vertex, in the chart of its texture coordinates.
@@ -56,7 +60,8 @@ pub struct VertexForms {
     pub flags: VertexFlags,
 }
 
-/// The forms of every vertex; `None` for a mesh without texture coordinates. Vertices at one place with the same texture coordinates have the same bits.
+/// The forms of every vertex; `None` for a mesh without texture coordinates. Vertices at one place of the surface with the same texture
+/// coordinates have the same bits.
 ///
 /// # Panics
 /// If `curvature` has another number of vertices than `mesh`.
@@ -64,7 +69,7 @@ pub struct VertexForms {
 pub fn forms(mesh: &Mesh, curvature: &MeshCurvature, exec: &Exec) -> Option<Vec<VertexForms>> {
     let uvs = mesh.uvs()?;
     assert_eq!(curvature.vertices.len(), uvs.len(), "the curvature is that of another mesh");
-    let charts = Charts::of(mesh, uvs, &curvature.vertices);
+    let charts = Charts::of(mesh, uvs, &curvature.vertices, exec);
     let mut forms: Vec<VertexForms> = curvature.vertices.iter().map(VertexForms::of_mean_curvature).collect();
     exec.for_each_quietly(forms.chunks_mut(PIECE).collect(), |piece, forms| {
         for (index, form) in forms.iter_mut().enumerate() {
@@ -111,15 +116,19 @@ fn uv_directions(charts: &Charts, vertex: u32, curvature: &VertexCurvature) -> O
         if quadratic.is_some() {
             return quadratic;
         }
+        let enough = samples.len() > CROWD;
         if ring == 0 {
             nearest = samples;
+        }
+        if enough {
+            break;
         }
     }
     gradient(&nearest, Degree::Linear, NOT_ON_A_LINE)
 }
 
-/// Where a point is on the tangent plane when the surface is unrolled onto it: in the direction in which it is seen, as far away as it is along the
-/// surface.
+/// Where a point is on the tangent plane when the surface is unrolled onto it: in the direction in which it is seen, as far away as it is
+/// along the surface.
 fn unrolled(curvature: &VertexCurvature, offset: DVec3) -> DVec2 {
     let [x, y] = curvature.directions.map(|direction| offset.dot(direction));
     let Some(direction) = DVec2::new(x, y).try_normalize() else { return DVec2::ZERO };

@@ -3,7 +3,10 @@
 //! Sides are put into buckets by the smaller of their two places and sorted there by the larger. Nearly all edges have two sides and are
 //! joined on the spot; the others are left to [`branch`](super::branch).
 
+use core::sync::atomic::{AtomicU32, Ordering};
+
 use super::surface::{NONE, previous};
+use crate::Exec;
 
 /// Edges of a triangle list.
 #[derive(Debug)]
@@ -17,27 +20,56 @@ pub(super) struct Edges {
 }
 
 /// Finds the edges of triangles between `places` places; `corners` are three places per triangle, or thrice [`NONE`].
-pub(super) fn find(corners: &[u32], places: usize) -> Edges {
-    let (starts, mut entries) = buckets(corners, places);
-    let mut edges = Edges { twins: vec![NONE; corners.len()], crowded: Vec::new(), suspects: Vec::new() };
-    for range in starts.windows(2) {
-        let bucket = &mut entries[range[0] as usize..range[1] as usize];
-        bucket.sort_unstable();
-        for edge in bucket.chunk_by(|a, b| a >> 32 == b >> 32) {
-            edges.add(edge, corners);
-        }
+pub(super) fn find(corners: &[u32], places: usize, exec: &Exec) -> Edges {
+    let twins: Vec<AtomicU32> = corners.iter().map(|_| AtomicU32::new(NONE)).collect();
+    let per_part = places.div_ceil(exec.threads()).max(1);
+    let mut parts: Vec<Part> =
+        (0..places).step_by(per_part).map(|first| Part::new(first, per_part.min(places - first))).collect();
+    exec.for_each_quietly(parts.iter_mut().collect(), |_, part| part.find(corners, &twins));
+    let mut edges = Edges {
+        twins: twins.into_iter().map(AtomicU32::into_inner).collect(),
+        crowded: Vec::new(),
+        suspects: Vec::new(),
+    };
+    for part in parts {
+        edges.crowded.extend(part.crowded);
+        edges.suspects.extend(part.suspects);
     }
     edges
 }
 
-impl Edges {
-    fn add(&mut self, edge: &[u64], corners: &[u32]) {
+/// The edges whose smaller place is among some. Every side has one twin at most, so parts do not write to the same ones.
+#[derive(Debug, Default)]
+struct Part {
+    first: usize,
+    places: usize,
+    crowded: Vec<Vec<u32>>,
+    suspects: Vec<u32>,
+}
+
+impl Part {
+    fn new(first: usize, places: usize) -> Self {
+        Self { first, places, crowded: Vec::new(), suspects: Vec::new() }
+    }
+
+    fn find(&mut self, corners: &[u32], twins: &[AtomicU32]) {
+        let (starts, mut entries) = self.buckets(corners);
+        for range in starts.windows(2) {
+            let bucket = &mut entries[range[0] as usize..range[1] as usize];
+            bucket.sort_unstable();
+            for edge in bucket.chunk_by(|a, b| a >> 32 == b >> 32) {
+                self.add(edge, corners, twins);
+            }
+        }
+    }
+
+    fn add(&mut self, edge: &[u64], corners: &[u32], twins: &[AtomicU32]) {
         match edge {
             [] | [_] => {}
             &[a, b] => {
                 let (a, b) = (a as u32, b as u32);
-                self.twins[a as usize] = b;
-                self.twins[b as usize] = a;
+                twins[a as usize].store(b, Ordering::Relaxed);
+                twins[b as usize].store(a, Ordering::Relaxed);
                 if corners[previous(a) as usize] == corners[previous(b) as usize] {
                     self.suspects.extend([a / 3, b / 3]);
                 }
@@ -49,37 +81,41 @@ impl Edges {
             }
         }
     }
-}
 
-/// Sides by their smaller place: where buckets start, and (larger place, side) of each.
-fn buckets(corners: &[u32], places: usize) -> (Vec<u32>, Vec<u64>) {
-    let mut ends = vec![0_u32; places + 1];
-    for_each_side(corners, |low, _, _| ends[low as usize] += 1);
-    let mut end = 0;
-    for bucket in &mut ends {
-        // Where it starts; filling moves it to where it ends.
-        (*bucket, end) = (end, end + *bucket);
-    }
-    let mut entries = vec![0_u64; end as usize];
-    for_each_side(corners, |low, high, side| {
-        let slot = &mut ends[low as usize];
-        entries[*slot as usize] = u64::from(high) << 32 | u64::from(side);
-        *slot += 1;
-    });
-    ends.rotate_right(1);
-    ends[0] = 0;
-    (ends, entries)
-}
-
-fn for_each_side(corners: &[u32], mut work: impl FnMut(u32, u32, u32)) {
-    for (triangle, &[a, b, c]) in corners.as_chunks::<3>().0.iter().enumerate() {
-        if a == NONE {
-            continue;
+    /// Sides by their smaller place: where buckets start, and (larger place, side) of each.
+    fn buckets(&self, corners: &[u32]) -> (Vec<u32>, Vec<u64>) {
+        let mut ends = vec![0_u32; self.places + 1];
+        self.for_each_side(corners, |bucket, _, _| ends[bucket] += 1);
+        let mut end = 0;
+        for bucket in &mut ends {
+            // Where it starts; filling moves it to where it ends.
+            (*bucket, end) = (end, end + *bucket);
         }
-        let side = triangle as u32 * 3;
-        work(a.min(b), a.max(b), side);
-        work(b.min(c), b.max(c), side + 1);
-        work(c.min(a), c.max(a), side + 2);
+        let mut entries = vec![0_u64; end as usize];
+        self.for_each_side(corners, |bucket, larger, side| {
+            let slot = &mut ends[bucket];
+            entries[*slot as usize] = u64::from(larger) << 32 | u64::from(side);
+            *slot += 1;
+        });
+        ends.rotate_right(1);
+        ends[0] = 0;
+        (ends, entries)
+    }
+
+    fn for_each_side(&self, corners: &[u32], mut work: impl FnMut(usize, u32, u32)) {
+        let mut side_between = |a: u32, b: u32, side: u32| {
+            let bucket = (a.min(b) as usize).wrapping_sub(self.first);
+            if bucket < self.places {
+                work(bucket, a.max(b), side);
+            }
+        };
+        for (triangle, &[a, b, c]) in corners.as_chunks::<3>().0.iter().enumerate() {
+            // Of a triangle that was left out, all are beyond every bucket.
+            let side = triangle as u32 * 3;
+            side_between(a, b, side);
+            side_between(b, c, side + 1);
+            side_between(c, a, side + 2);
+        }
     }
 }
 
@@ -112,7 +148,7 @@ mod tests {
 
     #[test]
     fn two_triangles_share_one_edge() {
-        let edges = find(&[0, 1, 2, 2, 1, 3], 4);
+        let edges = find(&[0, 1, 2, 2, 1, 3], 4, &Exec::new(2).unwrap());
         assert_eq!(edges.twins, [NONE, 3, NONE, 1, NONE, NONE]);
     }
 }

@@ -5,12 +5,10 @@
 
 use glam::DVec3;
 
+use super::PIECE;
 use super::normal::Normal;
 use super::surface::{NONE, Surface, next, previous};
 use crate::Exec;
-
-/// Points that one piece of work takes.
-const PIECE: usize = 1 << 14;
 
 /// The corners of one fan, in order.
 #[derive(Debug, Default)]
@@ -66,7 +64,7 @@ impl Fan {
 /// What is known of points from their fans.
 #[derive(Debug, Default)]
 pub(super) struct Points {
-    /// As in [`Sheets`](super::Sheets).
+    /// As in [`Sheets`](super::Sheets); of a part, where neighbours end.
     pub(super) starts: Vec<u32>,
     pub(super) neighbours: Vec<u32>,
     pub(super) normals: Vec<DVec3>,
@@ -93,7 +91,7 @@ pub(super) fn walk(layout: &Layout, exec: &Exec) -> Points {
     let mut parts: Vec<Points> = layout.corners.chunks(PIECE).map(|_| Points::default()).collect();
     let pieces = parts.iter_mut().zip(layout.corners.chunks(PIECE)).collect();
     exec.for_each_quietly(pieces, |_, (part, corners)| part.walk(layout, corners));
-    Points::joined(parts)
+    Points::joined(&parts, exec)
 }
 
 impl Points {
@@ -122,23 +120,45 @@ impl Points {
         self.normals.push(if fan.open { normal.of_open_fan() } else { normal.of_closed_fan() });
     }
 
-    fn joined(parts: Vec<Self>) -> Self {
-        let mut all = Self { starts: vec![0], ..Self::empty() };
+    /// All parts, one after the other.
+    fn joined(parts: &[Self], exec: &Exec) -> Self {
+        let sum = |count: fn(&Self) -> usize| parts.iter().map(count).sum();
+        let points: usize = sum(|part| part.open.len());
+        let mut all = Self {
+            starts: vec![0; points + 1],
+            neighbours: vec![0; sum(|part| part.neighbours.len())],
+            normals: vec![DVec3::ZERO; points],
+            open: vec![false; points],
+            triangles: sum(|part| part.triangles),
+            length: parts.iter().map(|part| part.length).sum(),
+        };
+        let (mut ends, mut neighbours) = (&mut all.starts[1..], all.neighbours.as_mut_slice());
+        let (mut normals, mut open) = (all.normals.as_mut_slice(), all.open.as_mut_slice());
+        let mut pieces = Vec::with_capacity(parts.len());
+        let mut before = 0;
         for part in parts {
-            let before = all.neighbours.len() as u32;
-            all.starts.extend(part.starts.iter().map(|end| before + end));
-            all.neighbours.extend(part.neighbours);
-            all.normals.extend(part.normals);
-            all.open.extend(part.open);
-            all.triangles += part.triangles;
-            all.length += part.length;
+            let (points, edges) = (part.open.len(), part.neighbours.len());
+            let split = (split_off(&mut ends, points), split_off(&mut neighbours, edges));
+            pieces.push((part, before, split, split_off(&mut normals, points), split_off(&mut open, points)));
+            before += edges as u32;
         }
+        exec.for_each_quietly(pieces, |_, (part, before, (ends, neighbours), normals, open)| {
+            for (end, own) in ends.iter_mut().zip(&part.starts) {
+                *end = before + own;
+            }
+            neighbours.copy_from_slice(&part.neighbours);
+            normals.copy_from_slice(&part.normals);
+            open.copy_from_slice(&part.open);
+        });
         all
     }
+}
 
-    fn empty() -> Self {
-        Self::default()
-    }
+/// The first `count` items of a slice, which keeps the rest.
+fn split_off<'a, T>(slice: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+    let (first, rest) = core::mem::take(slice).split_at_mut(count);
+    *slice = rest;
+    first
 }
 
 /// A corner of every place; [`NONE`] for a place without triangles.

@@ -1,19 +1,20 @@
 //! A mesh as smooth sheets of surface.
 //!
-//! A fit of curvature wants points with their neighbours around them, on a surface that is smooth and has one front. Files hold something else: vertices twice
-//! at the seam of a texture or once per triangle, triangles facing either way, edges that are meant to be sharp, edges with three
-//! triangles. The steps, one file each:
+//! A fit of curvature wants points with their neighbours around them, on a surface that is smooth and has one front. Files hold something
+//! else: vertices twice at the seam of a texture or once per triangle, triangles facing either way, edges that are meant to be sharp,
+//! edges with three triangles. The steps, one file each:
 //!
 //! 1. [`weld`] vertices to places;
-//! 2. [`edges`] between places, duplicate triangles left out; where more than two triangles meet, [`branch`] joins those that continue each other;
+//! 2. [`edges`] between places, duplicate triangles left out; where more than two triangles meet, [`branch`] joins those that continue
+//!    each other;
 //! 3. [`creases`] cut the surface along hard edges;
 //! 4. [`orient`] gives every connected piece one front, and cuts where there is none;
 //! 5. [`fans`] around a place are its points; where there are several, they are [`split`]; each gets a [`normal`].
 //!
 //! A triangle of three places on one line has no area and no say in normals, but joins its neighbours: so programs close T-junctions.
 //!
-//! Nothing depends on the order of triangles or on which corner comes first, but for two things that are arbitrary: where an unorientable surface is
-//! cut, and which way a piece faces of which exactly half the area faces either way.
+//! Nothing depends on the order of triangles or on which corner comes first, but for what is arbitrary: where an unorientable surface is
+//! cut, which way a piece faces of which exactly half the area faces either way, and which of two equal fans speaks for a vertex.
 
 mod branch;
 mod creases;
@@ -32,10 +33,13 @@ use barchan_field::Mesh;
 use glam::DVec3;
 
 use self::fans::{Layout, Points};
-use self::surface::{NONE, Surface};
+use self::surface::{MOST_TRIANGLES, NONE, Surface};
 use self::weld::Places;
 use super::MeshReport;
-use crate::Exec;
+use crate::{BakeError, Exec};
+
+/// Places, points or triangles that one piece of work takes.
+const PIECE: usize = 1 << 14;
 
 /// Smooth, consistently oriented sheets: a *point* is a place on one sheet, shared by all vertices that are welded there.
 #[derive(Debug, Clone, Default)]
@@ -51,8 +55,8 @@ pub(super) struct Sheets {
     pub(super) neighbours: Vec<u32>,
     /// Remarks on points: [`VertexFlags::BOUNDARY`], [`VertexFlags::NON_MANIFOLD`].
     pub(super) flags: Vec<VertexFlags>,
-    /// The point that speaks for a vertex, that of most area where several sheets meet in it; `None` if no triangle uses it, or only such as
-    /// have fewer than three points.
+    /// The point that speaks for a vertex, that of most area where several sheets meet in it; `None` if no triangle with three places
+    /// has a corner at its place.
     pub(super) point_of_vertex: Vec<Option<u32>>,
     /// What was mended.
     pub(super) report: MeshReport,
@@ -66,42 +70,60 @@ impl Sheets {
 
     /// Welds, orients and cuts a mesh.
     pub(super) fn of(mesh: &Mesh, hard_edge_degrees: f64, exec: &Exec) -> Self {
-        let mut places = weld::weld(mesh);
+        let mut places = weld::weld(mesh, exec);
         let mut report = MeshReport::default();
-        let (mut corners, collapsed) = corners_of(mesh, &places);
+        let (mut corners, collapsed) = corners_of(mesh, &places, exec);
         report.collapsed_triangles = collapsed;
         if collapsed > 0 {
             forget_unused(&mut places, &mut corners);
         }
-        let (mut surface, duplicates) = join(corners, &places, &mut report);
+        let (mut surface, duplicates) = join(corners, &places, &mut report, exec);
         report.hard_edges = creases::cut_hard_edges(&mut surface, mesh, hard_edge_degrees);
-        let turned = orient::orient(&mut surface, &places.positions);
+        let turned = orient::orient(&mut surface, &places.positions, exec);
         report.flipped_triangles = turned.triangles;
         report.unorientable_edges = turned.unorientable_edges;
         assemble(mesh, places, &surface, &duplicates, report, exec)
     }
 }
 
+/// Refuses more triangles than have numbers.
+///
+/// # Errors
+/// What they take and how much is allowed.
+pub(super) fn check_size(triangles: usize) -> Result<(), BakeError> {
+    if triangles <= MOST_TRIANGLES {
+        return Ok(());
+    }
+    let bytes = |triangles: usize| triangles as u64 * size_of::<[u32; 3]>() as u64;
+    Err(BakeError::TooLarge {
+        what: "a mesh's list of triangles",
+        bytes: bytes(triangles),
+        limit: bytes(MOST_TRIANGLES),
+    })
+}
+
 /// The place of every vertex that a triangle uses: vertices at one place are welded, hard edges aside.
-pub(super) fn places(mesh: &Mesh) -> Vec<Option<u32>> {
-    let of_vertex = weld::weld(mesh).of_vertex;
+pub(super) fn places(mesh: &Mesh, exec: &Exec) -> Vec<Option<u32>> {
+    let of_vertex = weld::weld(mesh, exec).of_vertex;
     of_vertex.into_iter().map(|place| (place != NONE).then_some(place)).collect()
 }
 
 /// Three places per triangle, and how many triangles have fewer.
-fn corners_of(mesh: &Mesh, places: &Places) -> (Vec<u32>, u64) {
-    let mut collapsed = 0;
-    let mut corners = Vec::with_capacity(mesh.triangles().len() * 3);
-    for triangle in mesh.triangles() {
-        let [a, b, c] = triangle.map(|vertex| places.of_vertex[vertex as usize]);
-        if a == b || b == c || c == a {
-            collapsed += 1;
-            corners.extend([NONE; 3]);
-        } else {
-            corners.extend([a, b, c]);
+fn corners_of(mesh: &Mesh, places: &Places, exec: &Exec) -> (Vec<u32>, u64) {
+    let mut corners = vec![NONE; mesh.triangles().len() * 3];
+    let mut collapsed = vec![0; mesh.triangles().len().div_ceil(PIECE)];
+    let pieces = corners.chunks_mut(PIECE * 3).zip(mesh.triangles().chunks(PIECE)).zip(&mut collapsed);
+    exec.for_each_quietly(pieces.collect(), |_, ((corners, triangles), collapsed)| {
+        for (corners, triangle) in corners.chunks_exact_mut(3).zip(triangles) {
+            let [a, b, c] = triangle.map(|vertex| places.of_vertex[vertex as usize]);
+            if a == b || b == c || c == a {
+                *collapsed += 1;
+            } else {
+                corners.copy_from_slice(&[a, b, c]);
+            }
         }
-    }
-    (corners, collapsed)
+    });
+    (corners, collapsed.into_iter().sum())
 }
 
 /// Leaves out places that have no triangle any more.
@@ -122,12 +144,12 @@ fn forget_unused(places: &mut Places, corners: &mut [u32]) {
 }
 
 /// Joins triangles along their edges; (left out, kept) duplicates.
-fn join(mut corners: Vec<u32>, places: &Places, report: &mut MeshReport) -> (Surface, Vec<(u32, u32)>) {
-    let mut edges = edges::find(&corners, places.positions.len());
+fn join(mut corners: Vec<u32>, places: &Places, report: &mut MeshReport, exec: &Exec) -> (Surface, Vec<(u32, u32)>) {
+    let mut edges = edges::find(&corners, places.positions.len(), exec);
     let mut duplicates = Vec::new();
     if !edges.suspects.is_empty() {
         duplicates = edges::drop_duplicates(&mut corners, edges.suspects);
-        edges = edges::find(&corners, places.positions.len());
+        edges = edges::find(&corners, places.positions.len(), exec);
     }
     report.duplicate_triangles = duplicates.len() as u64;
     report.non_manifold_edges = edges.crowded.len() as u64;
@@ -138,6 +160,7 @@ fn join(mut corners: Vec<u32>, places: &Places, report: &mut MeshReport) -> (Sur
     (surface, duplicates)
 }
 
+/// Points from the fans around places.
 fn assemble(
     mesh: &Mesh,
     places: Places,
@@ -150,20 +173,16 @@ fn assemble(
     let corners = fans::corner_of_each_place(surface, positions.len());
     let layout = Layout { surface, positions: &positions, corners: &corners, points: &[] };
     let mut points = fans::walk(&layout, exec);
-    let live = surface.corners.iter().filter(|&&place| place != NONE).count();
+    let left_out = report.collapsed_triangles as usize + duplicates.len();
     let mut point_of_vertex: Vec<Option<u32>> =
         of_vertex.iter().map(|&place| (place != NONE).then_some(place)).collect();
     let mut non_manifold = Vec::new();
-    if points.triangles < live {
+    if points.triangles < (mesh.triangles().len() - left_out) * 3 {
         let split = split::split(surface, mesh, &positions, corners);
-        points = fans::walk(
-            &Layout { surface, positions: &positions, corners: &split.corners, points: &split.points },
-            exec,
-        );
+        let layout = Layout { surface, positions: &positions, corners: &split.corners, points: &split.points };
+        points = fans::walk(&layout, exec);
         split.speak(surface, mesh, duplicates, &mut point_of_vertex);
-        let further = split.corners[positions.len()..].iter().map(|&corner| positions[surface.from(corner) as usize]);
-        let further: Vec<DVec3> = further.collect();
-        positions.extend(further);
+        positions = split.corners.iter().map(|&corner| positions[surface.from(corner) as usize]).collect();
         non_manifold = split.non_manifold;
     }
     report.points = positions.len() as u64;

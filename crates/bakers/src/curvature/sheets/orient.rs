@@ -1,12 +1,14 @@
 //! One front for every connected piece of surface.
 //!
 //! From the first triangle of a piece the front is carried over every joined edge, hard ones too. A piece then faces the way that the
-//! greater part of its area faced in the file; the first triangle decides where they are equal. Edges whose two triangles still disagree are those
-//! across which no front can be carried, as somewhere on a Möbius strip: there the surface ends.
+//! greater part of its area faced in the file; the first triangle decides where they are equal. Edges whose two triangles still disagree
+//! are those across which no front can be carried, as somewhere on a Möbius strip: there the surface ends.
 
 use glam::DVec3;
 
+use super::PIECE;
 use super::surface::{NONE, Surface};
+use crate::Exec;
 
 /// What was done.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -16,9 +18,8 @@ pub(super) struct Turned {
 }
 
 /// Turns triangles over until neighbours agree.
-pub(super) fn orient(surface: &mut Surface, positions: &[DVec3]) -> Turned {
-    let disagree = |surface: &Surface, side| surface.twin(side).is_some_and(|twin| !surface.agree(side, twin));
-    if !surface.sides().any(|side| disagree(surface, side)) {
+pub(super) fn orient(surface: &mut Surface, positions: &[DVec3], exec: &Exec) -> Turned {
+    if all_agree(surface, exec) {
         return Turned::default();
     }
     let turned = choose_fronts(surface, positions);
@@ -33,6 +34,16 @@ pub(super) fn orient(surface: &mut Surface, positions: &[DVec3]) -> Turned {
         }
     }
     Turned { triangles, unorientable_edges }
+}
+
+fn all_agree(surface: &Surface, exec: &Exec) -> bool {
+    let pieces = surface.sides().step_by(PIECE);
+    let mut agree = vec![true; pieces.len()];
+    exec.for_each_quietly(agree.iter_mut().zip(pieces).collect(), |_, (agree, first)| {
+        let mut sides = first..surface.sides().end.min(first + PIECE as u32);
+        *agree = sides.all(|side| surface.twin(side).is_none_or(|twin| surface.agree(side, twin)));
+    });
+    agree.into_iter().all(|agree| agree)
 }
 
 /// Which triangles to turn over.

@@ -5,15 +5,18 @@
 //! two tolerances, a row of ever so close vertices does not shrink to a point, and neither the order of vertices nor that of
 //! triangles matters. Where duplicates are equal, or all within the tolerance of each other, that is what anyone would expect.
 //!
-//! Vertices are sorted along x and split wherever a gap is wider than the tolerance; what stays together is sorted along y, then z. On a surface next to
-//! nothing stays together that is not one place.
+//! Vertices are sorted along x and split wherever a gap is wider than the tolerance; what stays together is sorted along y, then z. On a
+//! surface next to nothing stays together that is not one place.
 
+use core::sync::atomic::{AtomicBool, Ordering};
 use std::collections::HashMap;
 
 use barchan_field::Mesh;
 use glam::DVec3;
 
+use super::PIECE;
 use super::surface::NONE;
+use crate::Exec;
 
 /// Of the mean length of a triangle's side.
 const TOLERANCE: f64 = 1e-5;
@@ -31,30 +34,34 @@ pub(super) struct Places {
 }
 
 /// Welds the vertices that triangles use.
-pub(super) fn weld(mesh: &Mesh) -> Places {
-    let (used, mean_side) = survey(mesh);
+pub(super) fn weld(mesh: &Mesh, exec: &Exec) -> Places {
+    let (used, mean_side) = survey(mesh, exec);
     let mut members: Vec<u64> = (0..used.len() as u64).filter(|&vertex| used[vertex as usize]).collect();
     let mut welder = Welder::new(mesh.positions(), &members, TOLERANCE * mean_side);
-    welder.split(&mut members, 0);
+    welder.split(&mut members, 0, &|members| exec.sort_distinct(members));
     number(mesh.positions(), &used, &welder.centres)
 }
 
 /// Which vertices have triangles, and the mean length of those sides of triangles that have one.
-fn survey(mesh: &Mesh) -> (Vec<bool>, f64) {
+fn survey(mesh: &Mesh, exec: &Exec) -> (Vec<bool>, f64) {
     let positions = mesh.positions();
-    let mut used = vec![false; positions.len()];
-    let (mut sum, mut count) = (0.0, 0_u64);
-    for triangle in mesh.triangles() {
-        let [a, b, c] = triangle.map(|vertex| positions[vertex as usize]);
-        for length in [a.distance(b), b.distance(c), c.distance(a)] {
-            sum += length;
-            count += u64::from(length > 0.0);
+    let used: Vec<AtomicBool> = positions.iter().map(|_| AtomicBool::new(false)).collect();
+    let pieces = mesh.triangles().chunks(PIECE);
+    let mut sums = vec![(0.0, 0_u64); pieces.len()];
+    exec.for_each_quietly(sums.iter_mut().zip(pieces).collect(), |_, ((sum, count), triangles)| {
+        for triangle in triangles {
+            let [a, b, c] = triangle.map(|vertex| positions[vertex as usize]);
+            for length in [a.distance(b), b.distance(c), c.distance(a)] {
+                *sum += length;
+                *count += u64::from(length > 0.0);
+            }
+            for &vertex in triangle {
+                used[vertex as usize].store(true, Ordering::Relaxed);
+            }
         }
-        for &vertex in triangle {
-            used[vertex as usize] = true;
-        }
-    }
-    (used, sum / count.max(1) as f64)
+    });
+    let (sum, count) = sums.into_iter().fold((0.0, 0), |all, piece| (all.0 + piece.0, all.1 + piece.1));
+    (used.into_iter().map(AtomicBool::into_inner).collect(), sum / count.max(1) as f64)
 }
 
 fn number(positions: &[DVec3], used: &[bool], centres: &[u32]) -> Places {
@@ -98,20 +105,20 @@ impl<'a> Welder<'a> {
     }
 
     /// Sorts vertices (the low halves) along an axis, and goes on with those that no gap divides.
-    fn split(&mut self, members: &mut [u64], axis: usize) {
+    fn split(&mut self, members: &mut [u64], axis: usize, sort: &dyn Fn(&mut [u64])) {
         let (origin, ticks, reach) = (self.origin[axis], self.ticks[axis], self.reach[axis]);
         for member in members.iter_mut() {
             let vertex = *member as u32;
             let along = (self.positions[vertex as usize][axis] - origin) * ticks;
             *member = u64::from(along as u32) << 32 | u64::from(vertex);
         }
-        members.sort_unstable();
+        sort(members);
         for group in members.chunk_by_mut(|a, b| (b >> 32) - (a >> 32) <= reach) {
             match group.len() {
                 1 => {}
                 2..=FEW => self.unite(group),
                 _ if axis == 2 => self.unite_many(group),
-                _ => self.split(group, axis + 1),
+                _ => self.split(group, axis + 1, &|members| members.sort_unstable()),
             }
         }
     }

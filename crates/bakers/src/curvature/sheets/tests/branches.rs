@@ -22,10 +22,10 @@ fn wings_of_a_bow_tie_are_two_points_and_the_larger_speaks() {
     assert_eq!(found.report.points, 6);
     assert_eq!(found.count(VertexFlags::NON_MANIFOLD), 2);
     assert_eq!(found.flags_of(0), VertexFlags::BOUNDARY | VertexFlags::NON_MANIFOLD);
-    assert_eq!(found.positions_around(0), [corners[3], corners[4]].map(DVec3::from_array));
+    assert_eq!(found.seen_from(0), [corners[3], corners[4]].map(DVec3::from_array));
     assert!(found.normal_of(0).distance(-DVec3::X) < 1e-12);
     // The other vertices see a wing each.
-    assert_eq!(found.positions_around(1).len(), 2);
+    assert_eq!(found.seen_from(1).len(), 2);
     assert_eq!(found.flags_of(1), VertexFlags::BOUNDARY);
 
     // Vertices of their own speak for their own wing.
@@ -49,7 +49,7 @@ fn the_stem_of_a_t_is_a_sheet_of_its_own() {
     // One of the two quads was turned over to face as the other.
     assert_eq!(found.report.flipped_triangles, 2);
     // On the axis the bar speaks, which goes on left and right.
-    let bar = found.positions_around(0);
+    let bar = found.seen_from(0);
     assert!(bar.iter().all(|at| at.y == 0.0) && bar.iter().any(|at| at.x < 0.0) && bar.iter().any(|at| at.x > 0.0));
     assert_eq!(found.normal_of(0).abs(), DVec3::Y);
 }
@@ -62,7 +62,7 @@ fn sheets_that_cross_stay_two_sheets() {
     for vertex in [2, 3, 6, 7] {
         assert_eq!(found.normal_of(vertex).abs(), DVec3::Y);
     }
-    let across = found.positions_around(4).into_iter().chain(found.positions_around(8));
+    let across = found.seen_from(4).into_iter().chain(found.seen_from(8));
     assert!(across.into_iter().all(|at| at.x * tilted.y == at.y * tilted.x));
 }
 
@@ -115,7 +115,7 @@ fn a_cap_without_area_joins_its_neighbours_and_says_nothing() {
         let corners = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.3, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]].map(turn);
         let found = sheets(&mesh(&corners, &[[0, 2, 3], [2, 1, 3], [0, 1, 2], [1, 0, 4]]));
         assert_eq!((found.report.points, found.report.collapsed_triangles), (5, 0));
-        assert_eq!(found.positions_around(2).len(), 3);
+        assert_eq!(found.seen_from(2).len(), 3);
         assert_eq!(found.flags_of(2), VertexFlags::NONE);
         for vertex in 0..5 {
             let expected = DVec3::from_array(turn([0.0, 0.0, 1.0]));

@@ -18,7 +18,7 @@ fn a_fan() {
     for mesh in [fan.clone(), soup(&fan)] {
         let found = sheets(&mesh);
         assert_eq!(found.report.points, u64::from(MANY) + 1);
-        assert_eq!(found.positions_around(0).len() as u32, MANY);
+        assert_eq!(found.seen_from(0).len() as u32, MANY);
         assert_eq!(found.flags_of(0), VertexFlags::NONE);
         assert!(found.normal_of(0).distance(DVec3::Z) < 1e-12);
     }

@@ -90,9 +90,10 @@ fn hard_cube() -> Mesh {
 
 impl Sheets {
     /// Positions of the neighbours of the point that speaks for a vertex.
-    fn positions_around(&self, vertex: u32) -> Vec<DVec3> {
+    fn seen_from(&self, vertex: u32) -> Vec<DVec3> {
         let point = self.point_of_vertex[vertex as usize].unwrap() as usize;
-        self.around(point).iter().map(|&neighbour| self.positions[neighbour as usize]).collect()
+        let range = self.starts[point] as usize..self.starts[point + 1] as usize;
+        self.neighbours[range].iter().map(|&neighbour| self.positions[neighbour as usize]).collect()
     }
 
     fn flags_of(&self, vertex: u32) -> VertexFlags {

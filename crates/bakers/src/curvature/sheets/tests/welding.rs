@@ -47,8 +47,8 @@ fn a_boundary_is_walked_from_end_to_end() {
     assert_eq!(found.count(VertexFlags::BOUNDARY), 8);
     let at = |x: f64, y: f64| DVec3::new(x, y, 0.0);
     // The middle of the lower side.
-    assert_eq!(found.positions_around(1), [at(1.0, 0.0), at(1.0, 0.5), at(0.5, 0.5), at(0.0, 0.0)]);
-    assert_eq!(found.positions_around(4).len(), 6);
+    assert_eq!(found.seen_from(1), [at(1.0, 0.0), at(1.0, 0.5), at(0.5, 0.5), at(0.0, 0.0)]);
+    assert_eq!(found.seen_from(4).len(), 6);
 }
 
 #[test]
@@ -59,8 +59,8 @@ fn a_soup_is_the_surface_it_was_cut_from() {
     assert!((cut.report.mean_edge / whole.report.mean_edge - 1.0).abs() < 1e-12);
     // Vertex by vertex the neighbours are at the same positions, from the same or another one on.
     for (corner, &vertex) in sphere.triangles().iter().flatten().enumerate() {
-        let mut expected = whole.positions_around(vertex);
-        let found = cut.positions_around(corner as u32);
+        let mut expected = whole.seen_from(vertex);
+        let found = cut.seen_from(corner as u32);
         let start = expected.iter().position(|&at| at == found[0]).unwrap();
         expected.rotate_left(start);
         assert_eq!(found, expected);
@@ -166,6 +166,36 @@ fn a_row_of_ever_so_close_vertices_does_not_shrink_to_a_point() {
 }
 
 #[test]
+fn welding_is_the_rule_applied_to_one_vertex_after_the_other() {
+    for count in [20_usize, 400] {
+        // Feet of unit spikes, at random in a cube of six tolerances.
+        let mut random = random(count as u64);
+        let mut draw = || random(1 << 20) as f64 / f64::from(1 << 20) * 6e-5;
+        let feet: Vec<DVec3> = (0..count).map(|_| DVec3::new(draw(), draw(), draw())).collect();
+        let tips = [DVec3::X, DVec3::new(0.5, 0.75_f64.sqrt(), 0.0)];
+        let positions: Vec<DVec3> = feet.iter().copied().chain(tips).collect();
+        let triangles = (0..count as u32).map(|foot| [foot, count as u32, count as u32 + 1]).collect();
+        let found = sheets(&Mesh::new(positions, triangles).unwrap());
+
+        let mut order: Vec<usize> = (0..count).collect();
+        order.sort_by(|&a, &b| feet[a].to_array().partial_cmp(&feet[b].to_array()).unwrap());
+        let sides: f64 =
+            feet.iter().map(|&foot| 1.0 + tips.map(|tip| foot.distance(tip)).into_iter().sum::<f64>()).sum();
+        let tolerance = 1e-5 * sides / (3 * count) as f64;
+        let mut centres: Vec<usize> = Vec::new();
+        for foot in order {
+            let centre = centres.iter().copied().find(|&centre| feet[centre].distance(feet[foot]) <= tolerance);
+            let expected = feet[centre.unwrap_or(foot)];
+            if centre.is_none() {
+                centres.push(foot);
+            }
+            assert_eq!(found.positions[found.point_of_vertex[foot].unwrap() as usize], expected, "{count} {foot}");
+        }
+        assert!(centres.len() > 10 && centres.len() < count);
+    }
+}
+
+#[test]
 fn one_far_vertex_makes_all_others_one_place_and_no_delay() {
     let small = grid(200, 200, |u, v| DVec3::new(u, v, 0.0));
     let mut positions = small.positions().to_vec();
@@ -240,4 +270,11 @@ fn far_away_and_at_any_scale_the_surface_is_the_same() {
             assert!(a.distance(*b) < 1e-6, "{scale} {offset}: {a} {b}");
         }
     }
+}
+
+#[test]
+fn more_triangles_than_have_numbers_are_refused() {
+    assert!(super::super::check_size(700_000_000).is_ok());
+    let message = super::super::check_size(800_000_000).unwrap_err().to_string();
+    assert!(message.contains("triangles needs 9600000000 bytes"), "{message}");
 }

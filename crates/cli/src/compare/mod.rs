@@ -1,5 +1,7 @@
 //! `barchan compare`: the first difference between two files, and how large differences are.
 
+mod curvature;
+
 use std::fmt::Write;
 
 use barchan_asset::{TextureDescriptor, Unit};
@@ -43,13 +45,26 @@ struct ValueReport {
 
 #[derive(Serialize)]
 struct Place {
-    layer: u32,
-    column: u32,
-    row: u32,
-    /// Of the numbers of a texel.
-    channel: u32,
+    #[serde(flatten)]
+    at: Position,
     a: f32,
     b: f32,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Position {
+    Texel {
+        layer: u32,
+        column: u32,
+        row: u32,
+        /// Of the numbers of a texel.
+        channel: u32,
+    },
+    Vertex {
+        vertex: u32,
+        number: &'static str,
+    },
 }
 
 pub(crate) fn run(arguments: &CompareArguments, json: bool) -> Result<ExitStatus, Failure> {
@@ -73,10 +88,14 @@ fn compare(a: &AssetFile, b: &AssetFile, tolerance: f64) -> Result<Vec<TableRepo
     for table in Table::ALL {
         let report = match (in_a.contains(&table), in_b.contains(&table)) {
             (false, false) => continue,
+            (true, true) if table.is_of_a_mesh() => {
+                reports.extend(curvature::compare(&a.curvature()?.view(), &b.curvature()?.view(), tolerance));
+                continue;
+            }
             (true, true) => compare_table(&a.decode(table)?, &b.decode(table)?, tolerance),
             (only_a, _) => {
                 let holder = if only_a { a } else { b };
-                mismatched(table, format!("only {} has it", holder.path.display()))
+                mismatched(table.name(), format!("only {} has it", holder.path.display()))
             }
         };
         reports.push(report);
@@ -84,37 +103,50 @@ fn compare(a: &AssetFile, b: &AssetFile, tolerance: f64) -> Result<Vec<TableRepo
     Ok(reports)
 }
 
-fn mismatched(table: Table, mismatch: String) -> TableReport {
-    TableReport { table: table.name(), same: false, mismatch: Some(mismatch), values: None }
+fn mismatched(table: &'static str, mismatch: String) -> TableReport {
+    TableReport { table, same: false, mismatch: Some(mismatch), values: None }
 }
 
 fn compare_table(a: &DecodedTable<'_>, b: &DecodedTable<'_>, tolerance: f64) -> TableReport {
     if let Some(mismatch) = shape_mismatch(&a.descriptor, &b.descriptor) {
-        return mismatched(a.table, mismatch);
+        return mismatched(a.table.name(), mismatch);
     }
     let (values_a, values_b) = (comparable(a), comparable(b));
-    let stats = ErrorStats::between(&values_a, &values_b);
     let descriptor = &a.descriptor;
-    let place = |index: usize| {
+    let position = |index: usize| {
         let (width, channels) = (descriptor.width as usize, descriptor.semantic.channels() as usize);
         let (texel, texels) = (index / channels, width * descriptor.height as usize);
-        Place {
+        Position::Texel {
             layer: (texel / texels) as u32,
             column: (texel % width) as u32,
             row: (texel % texels / width) as u32,
             channel: (index % channels) as u32,
-            a: values_a[index],
-            b: values_b[index],
         }
     };
-    let first = first_difference(&values_a, &values_b, tolerance).map(|difference| place(difference.index));
-    let worst = stats.worst().filter(|_| stats.max() > 0.0).map(|index| place(index as usize));
     let unit = match descriptor.unit {
         Unit::Radian => "degrees",
         Unit::Length(_) | Unit::None => descriptor.unit.symbol(),
     };
-    let values = ValueReport { unit, rms: stats.rms(), max: stats.max(), first, worst };
+    let values = compare_values([&values_a, &values_b], tolerance, unit, position);
     TableReport { table: a.table.name(), same: values.first.is_none(), mismatch: None, values: Some(values) }
+}
+
+/// Differences between two lists of the same length, whose numbers are at some `position` of a table.
+fn compare_values(
+    [a, b]: [&[f32]; 2],
+    tolerance: f64,
+    unit: &'static str,
+    position: impl Fn(usize) -> Position,
+) -> ValueReport {
+    let stats = ErrorStats::between(a, b);
+    let place = |index: usize| Place { at: position(index), a: a[index], b: b[index] };
+    ValueReport {
+        unit,
+        rms: stats.rms(),
+        max: stats.max(),
+        first: first_difference(a, b, tolerance).map(|difference| place(difference.index)),
+        worst: stats.worst().filter(|_| stats.max() > 0.0).map(|index| place(index as usize)),
+    }
 }
 
 /// Facts that must agree before values can be compared. Encodings may differ: decoded values are what counts.
@@ -173,9 +205,17 @@ fn values_words(values: &ValueReport) -> String {
     let ValueReport { unit, rms, max, first, worst } = values;
     let place = |name: &str, place: &Option<Place>| {
         place.as_ref().map_or_else(String::new, |at| {
-            let Place { layer, column, row, channel, a, b } = at;
-            let channel = if *channel == 0 { String::new() } else { format!(", channel {channel}") };
-            format!("; {name} at layer {layer}, column {column}, row {row}{channel}: {a} and {b}")
+            let Place { at, a, b } = at;
+            let at = match at {
+                Position::Texel { layer, column, row, channel: 0 } => {
+                    format!("layer {layer}, column {column}, row {row}")
+                }
+                Position::Texel { layer, column, row, channel } => {
+                    format!("layer {layer}, column {column}, row {row}, channel {channel}")
+                }
+                Position::Vertex { vertex, number } => format!("vertex {vertex}, {number}"),
+            };
+            format!("; {name} at {at}: {a} and {b}")
         })
     };
     let (rms, max) = (number(*rms), number(*max));
