@@ -9,6 +9,10 @@ use super::tensor::principal;
 
 /// Neighbours beyond its coefficients, in effective number, that a jet needs.
 const LEAST_FREEDOM: f64 = 1.0;
+/// The same, where several jets are compared by what they leave over.
+const LEAST_SPARE: f64 = 3.0;
+/// The part of the curvature that an error may be before other neighbourhoods are tried.
+const UNRESOLVED: f64 = 0.02;
 /// The weight that a coefficient takes from the residual, tr(G⁻¹ Σ w² φ φᵀ) over the number of coefficients: weights are not inverse
 /// variances, and high degrees live where weights are low. Measured on jittered points of a disc, for all degrees and counts alike; .58
 /// on half a disc.
@@ -92,6 +96,8 @@ pub(super) struct Estimate {
     pub(super) shape: Shape,
     /// What is left over; `None` where too few neighbours say.
     pub(super) residue: Option<Residue>,
+    /// The squared error expected of the shape if what is left over were noise: a measure of how well a surface is resolved.
+    pub(super) error: f64,
 }
 
 /// The variance of positions that a jet leaves over.
@@ -117,10 +123,28 @@ impl Estimate {
                 let told = degree >= 4 && freedom >= LEAST_FREEDOM;
                 let residue = told
                     .then(|| Residue { fine: variance_left(patch, degree), coarse: variance_left(patch, degree - 2) });
-                Self { shape, residue }
+                Self { shape, residue, error: error(patch, degree) }
             })
         })
     }
+
+    /// The estimate of a lower degree, where its neighbours determine it with some to spare.
+    pub(super) fn of_degree(patch: &Patch, degree: usize) -> Option<Self> {
+        let determined = degree <= patch.fits.degrees && freedom(&patch.fits, degree) >= LEAST_SPARE;
+        determined.then(|| Self { shape: Shape::of(patch, degree), residue: None, error: error(patch, degree) })
+    }
+
+    /// Whether the error expected is more than a small part of the curvature.
+    pub(super) fn is_resolved(&self) -> bool {
+        let [xx, xy, yy] = self.shape.tensor;
+        self.error <= UNRESOLVED * UNRESOLVED * (xx * xx + 2.0 * xy * xy + yy * yy)
+    }
+}
+
+/// The squared error of a shape if what is left over were noise; what few spare neighbours leave over is believed less.
+fn error(patch: &Patch, degree: usize) -> f64 {
+    let spare = freedom(&patch.fits, degree).max(LEAST_FREEDOM);
+    Shape::of(patch, degree).variance * variance_left(patch, degree) * (1.0 + 2.0 / spare)
 }
 
 /// The effective number of neighbours beyond the coefficients of a degree.

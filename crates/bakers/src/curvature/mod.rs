@@ -73,12 +73,13 @@ pub fn bake(mesh: &Mesh, params: &CurvatureParams, exec: &Exec) -> Result<MeshCu
     sheets::check_size(mesh.triangles().len())?;
     let sheets = Sheets::of(mesh, params.hard_edge_degrees, exec);
     let mut found = narrow::fit_all(&sheets, params.method, exec);
-    let noise = match params.method {
-        CurvatureMethod::Fast => None,
-        CurvatureMethod::Accurate => noise::noise(&found),
-    };
-    if let Some(noise) = noise {
-        noise::refit(&sheets, noise, &mut found, exec);
+    let mut noise = None;
+    if params.method == CurvatureMethod::Accurate {
+        noise = noise::noise(&found);
+        match noise {
+            Some(noise) => noise::refit(&sheets, noise, &mut found, exec),
+            None => narrow::resolve(&sheets, &mut found, exec),
+        }
     }
     let mut used = vec![false; mesh.positions().len()];
     for &vertex in mesh.triangles().as_flattened() {

@@ -5,7 +5,7 @@ use fearless_simd::{Level, Simd, dispatch};
 
 use super::estimate::{Estimate, Residue};
 use super::jet::{LANES, Solver};
-use super::patch::{Fitter, Reach};
+use super::patch::{Fitter, Patch, Reach};
 use super::sheets::Sheets;
 use super::{CurvatureMethod, VertexCurvature};
 use crate::Exec;
@@ -21,6 +21,9 @@ const BORDER_NEIGHBOURS: usize = 60;
 /// How many times as many neighbours are looked at where fewer do not determine a quadric.
 const GROWTH: [usize; 2] = [2, 4];
 
+/// Neighbours and degrees that are tried where a surface is so coarse that the usual ones do not resolve it.
+const SMALLER: [(usize, usize); 5] = [(30, 4), (22, 4), (22, 2), (16, 2), (10, 2)];
+
 /// What the first pass finds at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Found {
@@ -29,11 +32,14 @@ pub(super) struct Found {
     pub(super) residue: Option<Residue>,
     /// The variance of the shape under unit noise; infinite where no jet was determined.
     pub(super) variance: f64,
+    /// The squared error expected of an estimate that does not resolve the surface; `None` if it does.
+    unresolved: Option<f64>,
 }
 
 /// Fits every point.
 pub(super) fn fit_all(sheets: &Sheets, method: CurvatureMethod, exec: &Exec) -> Vec<Found> {
-    let unknown = Found { curvature: VertexCurvature::UNKNOWN, residue: None, variance: f64::INFINITY };
+    let unknown =
+        Found { curvature: VertexCurvature::UNKNOWN, residue: None, variance: f64::INFINITY, unresolved: None };
     let mut found = vec![unknown; sheets.positions.len()];
     let level = Level::new();
     let blocks = found.chunks_mut(BLOCK).enumerate().collect();
@@ -83,25 +89,69 @@ fn fit_points<S: Simd, const DEGREE: usize>(
     let mut solver = Solver::new(simd);
     for reaches in reaches.chunks(LANES) {
         let patches = fitter.fit::<_, DEGREE>(simd, &mut solver, reaches);
-        for (&(point, count), patch) in reaches.iter().zip(&patches) {
-            let mut patch = *patch;
-            let mut estimate = Estimate::of(&patch);
-            for growth in GROWTH {
-                if estimate.is_none() {
-                    [patch, ..] = fitter.fit::<_, DEGREE>(simd, &mut solver, &[(point, growth * count)]);
-                    estimate = Estimate::of(&patch);
-                }
-            }
-            found[point - first] = match estimate {
-                Some(Estimate { shape, residue }) => {
+        for (&reach, patch) in reaches.iter().zip(&patches) {
+            let (point, _) = reach;
+            found[point - first] = match best::<_, DEGREE>(simd, fitter, &mut solver, reach, patch) {
+                Some((patch, estimate)) => {
+                    let Estimate { shape, residue, error } = estimate;
                     let curvature = fitter.vertex(point, &patch.frame, &shape);
-                    Found { curvature, residue, variance: shape.variance }
+                    let unresolved = (!estimate.is_resolved()).then_some(error);
+                    Found { curvature, residue, variance: shape.variance, unresolved }
                 }
                 None => {
-                    let curvature = fitter.sphere((point, count));
-                    Found { curvature, residue: None, variance: f64::INFINITY }
+                    Found { curvature: fitter.sphere(reach), residue: None, variance: f64::INFINITY, unresolved: None }
                 }
             };
+        }
+    }
+}
+
+/// The estimate of a patch; where it does not determine one, of a larger.
+#[inline(always)]
+fn best<S: Simd, const DEGREE: usize>(
+    simd: S,
+    fitter: &mut Fitter<'_>,
+    solver: &mut Solver<S>,
+    (point, count): Reach,
+    patch: &Patch,
+) -> Option<(Patch, Estimate)> {
+    let mut best = Estimate::of(patch).map(|estimate| (*patch, estimate));
+    for growth in GROWTH {
+        if best.is_none() {
+            let [patch, ..] = fitter.fit::<_, DEGREE>(simd, solver, &[(point, growth * count)]);
+            best = Estimate::of(&patch).map(|estimate| (patch, estimate));
+        }
+    }
+    best
+}
+
+/// Tries smaller neighbourhoods where the usual ones do not resolve the surface, and takes whichever is expected to be nearest.
+pub(super) fn resolve(sheets: &Sheets, found: &mut [Found], exec: &Exec) {
+    if found.iter().all(|found| found.unresolved.is_none()) {
+        return;
+    }
+    let level = Level::new();
+    let blocks = found.chunks_mut(BLOCK).enumerate().collect();
+    exec.for_each_with(
+        blocks,
+        || Fitter::new(sheets),
+        |fitter, (block, found): (usize, &mut [Found])| {
+            dispatch!(level, simd => resolve_block(simd, fitter, block * BLOCK, found));
+        },
+    );
+}
+
+#[inline(always)]
+fn resolve_block<S: Simd>(simd: S, fitter: &mut Fitter<'_>, first: usize, found: &mut [Found]) {
+    let mut solver = Solver::new(simd);
+    for (point, found) in (first..).zip(found) {
+        let Some(mut least) = found.unresolved else { continue };
+        let patches = fitter.fit::<_, 4>(simd, &mut solver, &SMALLER.map(|(count, _)| (point, count)));
+        for (patch, (_, degree)) in patches.iter().zip(SMALLER) {
+            if let Some(estimate) = Estimate::of_degree(patch, degree).filter(|estimate| estimate.error < least) {
+                least = estimate.error;
+                found.curvature = fitter.vertex(point, &patch.frame, &estimate.shape);
+            }
         }
     }
 }

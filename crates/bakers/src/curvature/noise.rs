@@ -176,7 +176,7 @@ fn take_best<S: Simd>(
         for (&(point, choice), patch) in chosen.iter().zip(&patches) {
             let shape = Shape::of(patch, choice.degree);
             let curvature: VertexCurvature = fitter.vertex(point, &patch.frame, &shape);
-            found[point - first] = Found { curvature, variance: shape.variance, ..found[point - first] };
+            found[point - first].curvature = curvature;
         }
     }
 }
