@@ -50,7 +50,7 @@ fn ball_with_hub() -> (Mesh, usize) {
     let at = |ring: u32, step: u32| ordinary as u32 + ring * AROUND + step % AROUND;
     // From the hub's rim to the first ordinary ring.
     for step in 0..MANY {
-        let [near, next] = [step, step + 1].map(|step| ((2 * step * AROUND / MANY + 1) / 2) % AROUND);
+        let [near, next] = [step, step + 1].map(|step| (2 * step * AROUND / MANY).div_ceil(2) % AROUND);
         triangles.push([1 + step, at(0, near), 1 + (step + 1) % MANY]);
         if near != next {
             triangles.push([at(0, near), at(0, next), 1 + (step + 1) % MANY]);

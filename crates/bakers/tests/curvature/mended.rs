@@ -136,10 +136,11 @@ fn an_isolated_vertex_is_zero_and_says_so() {
     positions.splice(500..500, [DVec3::new(0.1, 0.2, 0.3); 3]);
     let moved = |vertex: u32| if vertex < 500 { vertex } else { vertex + 3 };
     let mut triangles: Vec<[u32; 3]> = case.mesh.triangles().iter().map(|corners| corners.map(moved)).collect();
-    // One of them has a triangle, but one without corners.
+    // One of them has a triangle, but one of a single corner.
     triangles.push([502, 502, 502]);
     let found = baked(&Mesh::new(positions, triangles).unwrap());
-    assert_eq!(count(&found, VertexFlags::ISOLATED), 3);
+    assert_eq!(count(&found, VertexFlags::ISOLATED), 2);
+    assert_eq!(count(&found, VertexFlags::DEGENERATE), 1);
     for vertex in &found.vertices[500..503] {
         assert_eq!(vertex.principal, [0.0; 2]);
         assert!(vertex.flags.is_unknown());
