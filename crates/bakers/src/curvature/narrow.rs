@@ -19,7 +19,7 @@ const NEIGHBOURS: usize = 44;
 /// Neighbours of a jet of degree eight, 45 coefficients, which looks out over the edge of the surface.
 const BORDER_NEIGHBOURS: usize = 60;
 /// How many times as many neighbours are looked at where fewer do not determine a quadric.
-const GROWTH: [usize; 2] = [2, 4];
+const GROWTH: [usize; 3] = [1, 2, 4];
 
 /// What the first pass finds at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,27 +81,24 @@ fn fit_points<S: Simd, const DEGREE: usize>(
     found: &mut [Found],
 ) {
     let mut solver = Solver::new(simd);
-    for reaches in reaches.chunks(LANES) {
-        let patches = fitter.fit::<_, DEGREE>(simd, &mut solver, reaches);
-        for (&(point, count), patch) in reaches.iter().zip(&patches) {
-            let mut patch = *patch;
-            let mut estimate = Estimate::of(&patch);
-            for growth in GROWTH {
-                if estimate.is_none() {
-                    [patch, ..] = fitter.fit::<_, DEGREE>(simd, &mut solver, &[(point, growth * count)]);
-                    estimate = Estimate::of(&patch);
-                }
+    let mut wanting = reaches.to_vec();
+    for growth in GROWTH {
+        let asked = std::mem::take(&mut wanting);
+        for asked in asked.chunks(LANES) {
+            let grown: Vec<Reach> = asked.iter().map(|&(point, count)| (point, growth * count)).collect();
+            let patches = fitter.fit::<_, DEGREE>(simd, &mut solver, &grown);
+            for (&(point, count), patch) in asked.iter().zip(&patches) {
+                let Some(Estimate { shape, residue }) = Estimate::of(patch) else {
+                    wanting.push((point, count));
+                    continue;
+                };
+                let curvature = fitter.vertex(point, &patch.frame, &shape);
+                found[point - first] = Found { curvature, residue, variance: shape.variance };
             }
-            found[point - first] = match estimate {
-                Some(Estimate { shape, residue }) => {
-                    let curvature = fitter.vertex(point, &patch.frame, &shape);
-                    Found { curvature, residue, variance: shape.variance }
-                }
-                None => {
-                    let curvature = fitter.sphere((point, count));
-                    Found { curvature, residue: None, variance: f64::INFINITY }
-                }
-            };
         }
+    }
+    for (point, count) in wanting {
+        found[point - first] =
+            Found { curvature: fitter.sphere((point, count)), residue: None, variance: f64::INFINITY };
     }
 }

@@ -13,12 +13,6 @@ fn a_tenth_of_an_edge() {
         let noisy = Case { mesh, truth: clean.truth };
         let found = baked(&noisy.mesh);
         let errors = noisy.errors(&found);
-        println!(
-            "NOISY {} {errors:?} ratio {:.1} noise {:.3}",
-            surface.name(),
-            errors.max / errors.rms,
-            found.noise / edge
-        );
         assert!((0.09..0.11).contains(&(found.noise / edge)), "{}: {}", surface.name(), found.noise / edge);
         // Two waves on 63 vertices leave no room to average; an edge of the surface has half as many neighbours.
         let (most, tail) = match surface.name() {
