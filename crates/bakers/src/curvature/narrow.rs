@@ -5,7 +5,7 @@ use fearless_simd::{Level, Simd, dispatch};
 
 use super::estimate::{Estimate, Residue};
 use super::jet::{LANES, Solver};
-use super::patch::{Fitter, Patch, Reach};
+use super::patch::{Fitter, Reach};
 use super::sheets::Sheets;
 use super::{CurvatureMethod, VertexCurvature};
 use crate::Exec;
@@ -19,7 +19,7 @@ const NEIGHBOURS: usize = 44;
 /// Neighbours of a jet of degree eight, 45 coefficients, which looks out over the edge of the surface.
 const BORDER_NEIGHBOURS: usize = 60;
 /// How many times as many neighbours are looked at where fewer do not determine a quadric.
-const GROWTH: [usize; 2] = [2, 4];
+const GROWTH: [usize; 3] = [1, 2, 4];
 
 /// Neighbours and degrees that are tried where a surface is so coarse that the usual ones do not resolve it.
 const SMALLER: [(usize, usize); 5] = [(30, 4), (22, 4), (22, 2), (16, 2), (10, 2)];
@@ -87,42 +87,28 @@ fn fit_points<S: Simd, const DEGREE: usize>(
     found: &mut [Found],
 ) {
     let mut solver = Solver::new(simd);
-    for reaches in reaches.chunks(LANES) {
-        let patches = fitter.fit::<_, DEGREE>(simd, &mut solver, reaches);
-        for (&reach, patch) in reaches.iter().zip(&patches) {
-            let (point, _) = reach;
-            found[point - first] = match best::<_, DEGREE>(simd, fitter, &mut solver, reach, patch) {
-                Some((patch, estimate)) => {
-                    let Estimate { shape, residue, error } = estimate;
-                    let curvature = fitter.vertex(point, &patch.frame, &shape);
-                    let unresolved = (!estimate.is_resolved()).then_some(error);
-                    Found { curvature, residue, variance: shape.variance, unresolved }
-                }
-                None => {
-                    Found { curvature: fitter.sphere(reach), residue: None, variance: f64::INFINITY, unresolved: None }
-                }
-            };
-        }
-    }
-}
-
-/// The estimate of a patch; where it does not determine one, of a larger.
-#[inline(always)]
-fn best<S: Simd, const DEGREE: usize>(
-    simd: S,
-    fitter: &mut Fitter<'_>,
-    solver: &mut Solver<S>,
-    (point, count): Reach,
-    patch: &Patch,
-) -> Option<(Patch, Estimate)> {
-    let mut best = Estimate::of(patch).map(|estimate| (*patch, estimate));
+    let mut wanting = reaches.to_vec();
     for growth in GROWTH {
-        if best.is_none() {
-            let [patch, ..] = fitter.fit::<_, DEGREE>(simd, solver, &[(point, growth * count)]);
-            best = Estimate::of(&patch).map(|estimate| (patch, estimate));
+        let asked = std::mem::take(&mut wanting);
+        for asked in asked.chunks(LANES) {
+            let grown: Vec<Reach> = asked.iter().map(|&(point, count)| (point, growth * count)).collect();
+            let patches = fitter.fit::<_, DEGREE>(simd, &mut solver, &grown);
+            for (&(point, count), patch) in asked.iter().zip(&patches) {
+                let Some(estimate) = Estimate::of(patch) else {
+                    wanting.push((point, count));
+                    continue;
+                };
+                let Estimate { shape, residue, error } = estimate;
+                let curvature = fitter.vertex(point, &patch.frame, &shape);
+                let unresolved = (!estimate.is_resolved()).then_some(error);
+                found[point - first] = Found { curvature, residue, variance: shape.variance, unresolved };
+            }
         }
     }
-    best
+    for (point, count) in wanting {
+        let curvature = fitter.sphere((point, count));
+        found[point - first] = Found { curvature, residue: None, variance: f64::INFINITY, unresolved: None };
+    }
 }
 
 /// Tries smaller neighbourhoods where the usual ones do not resolve the surface, and takes whichever is expected to be nearest.

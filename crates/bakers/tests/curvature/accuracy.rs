@@ -13,7 +13,6 @@ fn every_surface_at_4000_vertices() {
         let (most, most_turned) = if surface.name() == "wavy_sheet" { (2.5e-3, 0.5) } else { (8e-4, 0.05) };
         for pattern in PATTERNS {
             let errors = Case::of(&surface, pattern, 4000).clean();
-            println!("A4000 {} {pattern:?} {errors:?}", surface.name());
             assert!(errors.rms <= most, "{} {pattern:?}: {errors:?}", surface.name());
             assert!(errors.directions_rms <= most_turned, "{} {pattern:?}: {errors:?}", surface.name());
         }
@@ -27,7 +26,6 @@ fn errors_fall_with_the_third_power_of_an_edge() {
             let [coarse, fine] = [1000, 16_000].map(|vertices| Case::of(&surface, pattern, vertices).clean().rms);
             // A quarter of the edge.
             let order = (coarse / fine).log2() / 2.0;
-            println!("ORDER {} {pattern:?} {coarse:.2e} {fine:.2e} {order:.2}", surface.name());
             assert!(order >= 3.0 || fine <= 1e-7, "{} {pattern:?}: {coarse}, {fine}: {order}", surface.name());
         }
     }
@@ -37,7 +35,6 @@ fn errors_fall_with_the_third_power_of_an_edge() {
 fn long_thin_triangles() {
     for surface in ParametricSurface::examples() {
         let errors = Case::of(&surface, Pattern::LongThin { aspect: 20.0 }, 4000).clean();
-        println!("THIN {} {errors:?}", surface.name());
         assert!(errors.rms <= 0.05, "{}: {errors:?}", surface.name());
     }
 }

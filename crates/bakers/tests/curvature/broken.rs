@@ -36,11 +36,6 @@ fn caps_that_close_t_junctions() {
         let capped = Case { mesh: Mesh::new(positions, triangles).unwrap(), truth };
         let found = baked(&capped.mesh);
         let errors = capped.errors_at(&found, |vertex| vertex < added);
-        println!(
-            "CAPS {name} {errors:?} of {} at caps {:?}",
-            capped.truth.len() - added,
-            capped.errors_at(&found, |v| v >= added)
-        );
         assert!(errors.rms <= MOST, "{name}: {errors:?}");
     }
 }
@@ -68,7 +63,6 @@ fn sheets_that_touch_in_a_vertex_see_their_own() {
     let found = baked(&case.mesh);
     let lost = first.truth.len() + 300;
     let errors = case.errors_at(&found, |vertex| vertex != lost && vertex != 700);
-    println!("BOWTIE {errors:?} clean {clean:.2e} touch {:?}", found.vertices[700]);
     assert!(errors.rms <= 1.5 * clean, "{errors:?}");
     assert!(found.vertices[700].flags.contains(VertexFlags::NON_MANIFOLD));
     // The larger sheet speaks for the shared vertex; either may be.
@@ -95,7 +89,6 @@ fn fins_disturb_nobody() {
     let finned = Case { mesh: Mesh::new(positions, triangles).unwrap(), truth };
     let found = baked(&finned.mesh);
     let (errors, clean) = (finned.errors_at(&found, |vertex| vertex < known), case.clean());
-    println!("FINS {errors:?} clean {clean:?} edges {}", found.report.non_manifold_edges);
     assert!(found.report.non_manifold_edges >= 70);
     assert!(errors.rms <= 1.5 * clean.rms, "{errors:?}, clean {clean:?}");
 }

@@ -31,11 +31,6 @@ fn a_spike_is_no_sharper_than_its_edges() {
         assert_finite(&found);
         let most =
             found.vertices.iter().fold(0.0_f64, |most, v| most.max(v.principal[0].abs().max(v.principal[1].abs())));
-        println!(
-            "SPIKE {height} {most} clamped {} tip {:?}",
-            count(&found, VertexFlags::CLAMPED),
-            found.vertices[112].principal
-        );
         // The shortest edge is 1: a circle of that diameter.
         assert!(most <= 2.0, "{height}: {most}");
     }

@@ -43,12 +43,6 @@ fn at_the_rim_of_a_hole_the_surface_is_followed_from_one_side() {
         let errors = pierced.errors_at(&found, rim);
         let inside = pierced.errors_at(&found, |vertex| !flags(vertex).is_unknown() && !rim(vertex));
         let clean = case.clean();
-        println!(
-            "HOLE {name} rim {errors:?} inside {:.2e} clean {:.2e} ratio {:.2}",
-            inside.rms,
-            clean.rms,
-            inside.rms / clean.rms
-        );
         assert!(errors.rms > 0.0 && errors.rms <= 5e-3, "{name}: {errors:?}");
         assert!(inside.rms <= 1.5 * clean.rms, "{name}: {inside:?}, clean {clean:?}");
     }

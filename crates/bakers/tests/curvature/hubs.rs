@@ -25,7 +25,6 @@ fn a_fan_does_not_hang() {
     for method in CurvatureMethod::ALL {
         let start = Instant::now();
         let found = bake_with(&fan, method, 1);
-        println!("FAN {method:?} {:?}", start.elapsed());
         assert_finite(&found);
         let hub = found.vertices[0];
         assert!(hub.principal.iter().all(|curvature| (curvature - 1.0).abs() < 1e-4), "{hub:?}");
@@ -50,7 +49,7 @@ fn ball_with_hub() -> (Mesh, usize) {
     let at = |ring: u32, step: u32| ordinary as u32 + ring * AROUND + step % AROUND;
     // From the hub's rim to the first ordinary ring.
     for step in 0..MANY {
-        let [near, next] = [step, step + 1].map(|step| ((2 * step * AROUND / MANY + 1) / 2) % AROUND);
+        let [near, next] = [step, step + 1].map(|step| (2 * step * AROUND / MANY).div_ceil(2) % AROUND);
         triangles.push([1 + step, at(0, near), 1 + (step + 1) % MANY]);
         if near != next {
             triangles.push([at(0, near), at(0, next), 1 + (step + 1) % MANY]);
@@ -69,19 +68,11 @@ fn ball_with_hub() -> (Mesh, usize) {
 #[test]
 fn a_hub_in_an_ordinary_mesh_disturbs_nobody() {
     let (mesh, ordinary) = ball_with_hub();
-    let start = Instant::now();
     let found = baked(&mesh);
-    println!("HUB {:?}", start.elapsed());
     assert_finite(&found);
     let off = |range: core::ops::Range<usize>| {
         root_mean_square(found.vertices[range].iter().flat_map(|vertex| vertex.principal.map(|k| k - 1.0)))
     };
-    println!(
-        "HUB hub {:.2e} rim {:.2e} others {:.2e}",
-        off(0..1),
-        off(1..ordinary),
-        off(ordinary..found.vertices.len())
-    );
     assert!(off(0..1) < 1e-6);
     // Along the rim the neighbours lie on a line: a hundred thousand points that say little.
     assert!(off(1..ordinary) < 0.3);

@@ -9,6 +9,7 @@ mod holes;
 mod hubs;
 mod invariance;
 mod mended;
+mod noisy;
 mod reference;
 mod shells;
 mod slivers;

@@ -24,7 +24,6 @@ fn the_twin_converges_as_its_theory_says() {
             let [coarse, fine] = [1000, 4000]
                 .map(|vertices| slowly(&Case::example(name, Pattern::Jittered, vertices), degree, neighbours));
             let order = (coarse / fine).log2();
-            println!("TWIN {name} {degree} {coarse:.2e} {fine:.2e} {order:.2}");
             // At least d − 1; even degrees gain one where neighbours lie evenly.
             assert!(order > degree as f64 - 1.3, "{name}, degree {degree}: {coarse}, {fine}");
         }
@@ -45,7 +44,6 @@ fn the_baker_agrees_with_its_twin_as_well_as_either_with_the_truth() {
             assert!(slow.normal.dot(fast.normal) > 1.0 - 1e-5, "{}: {slow:?}, {fast:?}", surface.name());
             [0, 1].map(|k| (slow.principal[k] - fast.principal[k]) / scale)
         }));
-        println!("APART {} {apart:.2e}", surface.name());
         assert!(apart <= 1e-3, "{}: {apart}", surface.name());
     }
 }
@@ -66,7 +64,6 @@ fn a_paraboloid_is_a_polynomial() {
     let found = curvature_at(&mesh, 0, 2, 34).unwrap();
     // Eigenvalues of minus the Hessian, (1, −.3; −.3, −.5).
     let spread = (0.75_f64 * 0.75 + 0.09).sqrt();
-    println!("PARAB {:?} {:?}", found.principal, [0.25 + spread, 0.25 - spread]);
     for (found, expected) in found.principal.iter().zip([0.25 + spread, 0.25 - spread]) {
         assert!((found - expected).abs() < 1e-9, "{found}, not {expected}");
     }

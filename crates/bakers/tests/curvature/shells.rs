@@ -28,7 +28,6 @@ fn a_thousandth_of_an_edge_apart() {
     let case = shell(thickness);
     let found = baked(&case.mesh);
     let errors = case.errors(&found);
-    println!("SHELL {errors:?}");
     assert!(errors.rms <= 1e-6, "{errors:?}");
 }
 

@@ -69,11 +69,6 @@ fn assert_unharmed(every: usize, cut: impl Fn(&mut Cut<'_>, usize)) {
         }
         let case = mesh.case();
         let found = case.errors(&baked(&case.mesh));
-        println!(
-            "SLIVER {} {name} clean {clean:?} found {found:?} ratio {:.2}",
-            std::panic::Location::caller().line(),
-            found.rms / clean.rms
-        );
         assert!(found.rms <= (1.5 * clean.rms).max(2e-5), "{name}: {found:?}, clean {clean:?}");
     }
 }

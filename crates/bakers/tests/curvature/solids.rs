@@ -73,10 +73,6 @@ fn a_solid_in_a_sphere_is_round() {
         for method in CurvatureMethod::ALL {
             let found = bake_with(&solid, method, 1);
             assert_finite(&found);
-            println!(
-                "SOLID {name} {method:?} {expected} {:?}",
-                found.vertices.iter().map(|v| (v.principal, v.flags.0)).collect::<Vec<_>>()
-            );
             for vertex in &found.vertices {
                 for curvature in vertex.principal {
                     assert!((0.5..1.5).contains(&(curvature / expected)), "{name}, {method:?}: {vertex:?}");

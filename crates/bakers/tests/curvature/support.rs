@@ -24,17 +24,17 @@ pub(crate) fn baked(mesh: &Mesh) -> MeshCurvature {
 /// A mesh, and the exact curvature at each of its vertices.
 #[derive(Clone)]
 pub(crate) struct Case {
-    pub mesh: Mesh,
-    pub truth: Vec<PrincipalCurvature>,
+    pub(crate) mesh: Mesh,
+    pub(crate) truth: Vec<PrincipalCurvature>,
 }
 
 /// Errors of curvature, relative to the root mean square of max|κ| over the mesh.
 #[derive(Clone, Copy)]
 pub(crate) struct Errors {
-    pub rms: f64,
-    pub max: f64,
+    pub(crate) rms: f64,
+    pub(crate) max: f64,
     /// Of principal directions, where κ1 − κ2 is more than a tenth of max|κ|. Degrees.
-    pub directions_rms: f64,
+    pub(crate) directions_rms: f64,
 }
 
 impl fmt::Debug for Errors {
@@ -44,26 +44,26 @@ impl fmt::Debug for Errors {
 }
 
 impl Case {
-    pub fn of(surface: &ParametricSurface, pattern: Pattern, vertices: u32) -> Self {
+    pub(crate) fn of(surface: &ParametricSurface, pattern: Pattern, vertices: u32) -> Self {
         let made = surface.tessellate(&Tessellation { vertices, pattern, seed: 3, uv_seam: false }).unwrap();
         let truth = made.parameters.iter().map(|at| surface.jet(at.x, at.y).curvature()).collect();
         Self { mesh: made.mesh, truth }
     }
 
-    pub fn example(name: &str, pattern: Pattern, vertices: u32) -> Self {
+    pub(crate) fn example(name: &str, pattern: Pattern, vertices: u32) -> Self {
         Self::of(&example(name), pattern, vertices)
     }
 
-    pub fn errors(&self, found: &MeshCurvature) -> Errors {
+    pub(crate) fn errors(&self, found: &MeshCurvature) -> Errors {
         self.errors_at(found, |_| true)
     }
 
     /// The errors of a bake of the case itself.
-    pub fn clean(&self) -> Errors {
+    pub(crate) fn clean(&self) -> Errors {
         self.errors(&baked(&self.mesh))
     }
 
-    pub fn errors_at(&self, found: &MeshCurvature, counts: impl Fn(usize) -> bool) -> Errors {
+    pub(crate) fn errors_at(&self, found: &MeshCurvature, counts: impl Fn(usize) -> bool) -> Errors {
         assert_finite(found);
         assert_eq!(found.vertices.len(), self.truth.len());
         let largest = |truth: &PrincipalCurvature| truth.principal[0].abs().max(truth.principal[1].abs());
@@ -86,13 +86,13 @@ impl Case {
     }
 
     /// The same case with its vertices taken from elsewhere in it: vertex i is what `origin[i]` was.
-    pub fn remade(&self, origin: &[u32], triangles: Vec<[u32; 3]>) -> Self {
+    pub(crate) fn remade(&self, origin: &[u32], triangles: Vec<[u32; 3]>) -> Self {
         let positions = origin.iter().map(|&old| self.mesh.positions()[old as usize]).collect();
         let truth = origin.iter().map(|&old| self.truth[old as usize]).collect();
         Self { mesh: Mesh::new(positions, triangles).unwrap(), truth }
     }
 
-    pub fn with_triangles(&self, triangles: Vec<[u32; 3]>) -> Self {
+    pub(crate) fn with_triangles(&self, triangles: Vec<[u32; 3]>) -> Self {
         let mesh = Mesh::new(self.mesh.positions().to_vec(), triangles).unwrap();
         Self { mesh, truth: self.truth.clone() }
     }
