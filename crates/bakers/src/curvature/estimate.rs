@@ -19,9 +19,11 @@ const UNRESOLVED: f64 = 0.02;
 const LEVERAGE: f64 = 0.46;
 /// The variance of a shape over what the inverse normal matrix says of it, for the same reason, by degree from 2; measured likewise.
 const VARIANCE_SHARE: [f64; MAX_DEGREE - 1] = [0.44, 0.44, 0.60, 0.60, 0.73, 0.73, 0.78];
-/// The greatest variance of a shape, under unit noise, in a neighbourhood of unit size: 1000 is usual inside a surface, 10⁸ at its edge, where
+/// The greatest variance of a shape, under unit noise, in a neighbourhood of unit size: 1000 is usual inside a surface, 10⁷ at its edge, where
 /// a jet looks out of its neighbourhood. Neighbours in rows and columns too few for a degree give 10¹¹ and more.
-const MOST_AMPLIFIED: f64 = 2e9;
+const MOST_AMPLIFIED: f64 = 1e8;
+/// The same for quadrics: 6 is usual.
+const WELL_AMPLIFIED: f64 = 60.0;
 
 /// The shape operator of the surface at a point, in an orthonormal basis of its tangent plane.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -112,9 +114,7 @@ pub(super) struct Residue {
 impl Estimate {
     /// The highest degree that the neighbours support; `None` if they support none.
     pub(super) fn of(patch: &Patch) -> Option<Self> {
-        let [along, across] = patch.extent;
-        // Of a neighbourhood of unit size.
-        let scale = along * along * across * across;
+        let scale = unit(patch);
         (2..=patch.fits.degrees).rev().find_map(|degree| {
             let freedom = freedom(&patch.fits, degree);
             let shape = Shape::of(patch, degree);
@@ -130,8 +130,16 @@ impl Estimate {
 
     /// The estimate of a lower degree, where its neighbours determine it with some to spare.
     pub(super) fn of_degree(patch: &Patch, degree: usize) -> Option<Self> {
-        let determined = degree <= patch.fits.degrees && freedom(&patch.fits, degree) >= LEAST_SPARE;
-        determined.then(|| Self { shape: Shape::of(patch, degree), residue: None, error: error(patch, degree) })
+        if degree > patch.fits.degrees || freedom(&patch.fits, degree) < LEAST_SPARE {
+            return None;
+        }
+        let most_amplified = if degree == 2 { WELL_AMPLIFIED } else { MOST_AMPLIFIED };
+        let shape = Shape::of(patch, degree);
+        (shape.variance * unit(patch) <= most_amplified).then(|| Self {
+            shape,
+            residue: None,
+            error: error(patch, degree),
+        })
     }
 
     /// Whether the error expected is more than a small part of the curvature.
@@ -145,6 +153,12 @@ impl Estimate {
 fn error(patch: &Patch, degree: usize) -> f64 {
     let spare = freedom(&patch.fits, degree).max(LEAST_FREEDOM);
     Shape::of(patch, degree).variance * variance_left(patch, degree) * (1.0 + 2.0 / spare)
+}
+
+/// What makes a variance that of a neighbourhood of unit size.
+fn unit(patch: &Patch) -> f64 {
+    let [along, across] = patch.extent;
+    along * along * across * across
 }
 
 /// The effective number of neighbours beyond the coefficients of a degree.
