@@ -1,4 +1,4 @@
-//! `cargo xtask bench`: the figures that the README quotes, measured by the example `study`.
+//! `cargo xtask bench`: the figures of MEASUREMENTS.md, measured by the example `study`.
 
 use anyhow::Result;
 use clap::Args;
@@ -7,18 +7,18 @@ use crate::run::cargo;
 
 #[derive(Args)]
 pub(crate) struct Options {
-    /// Seconds instead of minutes, to see that it runs: records go to target/study, the README stays as it is
+    /// Seconds instead of minutes, to see that it runs: records go to target/study, MEASUREMENTS.md stays as it is
     #[arg(long)]
     quick: bool,
     /// Measure only these, separated by commas: the names of the files in crates/study/records
     #[arg(long, value_name = "RECORDS")]
     only: Option<String>,
-    /// Measure nothing: write the README's tables and the charts from the records there are
+    /// Measure nothing: write the tables of MEASUREMENTS.md and the charts from the records there are
     #[arg(long, conflicts_with_all = ["quick", "only"])]
     render: bool,
 }
 
-/// Measures, writes `crates/study/records/*.csv`, prints the tables and writes them to the README and the charts to the gallery.
+/// Measures, writes `crates/study/records/*.csv`, prints the tables and writes them to MEASUREMENTS.md and the charts to the gallery.
 pub(crate) fn bench(options: &Options) -> Result<()> {
     if options.render {
         return cargo("run --quiet -p barchan-study --example study -- render");
@@ -28,7 +28,7 @@ pub(crate) fn bench(options: &Options) -> Result<()> {
     cargo(&format!("run --release -p barchan-study --example study -- measure {quick} {only}"))
 }
 
-/// Fails if the README's tables or the charts are not those of the records.
+/// Fails if the tables of MEASUREMENTS.md or the charts are not those of the records.
 pub(crate) fn check() -> Result<()> {
     cargo("run --quiet -p barchan-study --example study -- check")
 }

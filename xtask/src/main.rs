@@ -30,7 +30,7 @@ enum Task {
     Goldens,
     /// Write the published vectors that are missing; one that exists is never changed
     Vectors,
-    /// Measure speed and error, write the records and the README's tables
+    /// Measure speed and error, write the records and the tables of MEASUREMENTS.md
     Bench(bench::Options),
 }
 

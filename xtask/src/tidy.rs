@@ -26,8 +26,9 @@ const ARROWS: [(&str, &[&str]); 10] = [
 ];
 
 /// Documents whose relative links must lead somewhere.
-const DOCUMENTS: [&str; 11] = [
+const DOCUMENTS: [&str; 12] = [
     "README.md",
+    "MEASUREMENTS.md",
     "ARCHITECTURE.md",
     "CONTRIBUTING.md",
     "CHANGELOG.md",

@@ -1,4 +1,4 @@
-//! The program behind `cargo xtask bench`: measures, writes records, the README's tables and the charts, and checks one
+//! The program behind `cargo xtask bench`: measures, writes records, the tables of MEASUREMENTS.md and the charts, and checks one
 //! against the other.
 //!
 //! ```text
@@ -35,7 +35,7 @@ const QUICK_RECORDS: &str = "target/study";
 /// Where the charts and the pictures are that the document shows.
 const GALLERY: &str = "samples/gallery";
 /// The document whose blocks are filled.
-const DOCUMENT: &str = "README.md";
+const DOCUMENT: &str = "MEASUREMENTS.md";
 
 #[derive(Parser)]
 #[command(about = "Error against run time")]
@@ -46,18 +46,18 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Measure, write records, print the tables and write them to the README
+    /// Measure, write records, print the tables and write them to MEASUREMENTS.md
     Measure {
-        /// A small run: records and charts go to target/study and the README stays as it is
+        /// A small run: records and charts go to target/study and MEASUREMENTS.md stays as it is
         #[arg(long)]
         quick: bool,
         /// Measure only these, separated by commas
         #[arg(long, value_delimiter = ',', value_parser = Block::ALL.map(Block::name))]
         only: Vec<String>,
     },
-    /// Write the README's tables and the charts from the records there are
+    /// Write the tables of MEASUREMENTS.md and the charts from the records there are
     Render,
-    /// Fail if the README's tables or the charts are not those of the records
+    /// Fail if the tables of MEASUREMENTS.md or the charts are not those of the records
     Check,
     /// Draw the figures of curved surfaces into the gallery
     Pictures,

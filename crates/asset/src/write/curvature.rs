@@ -231,7 +231,7 @@ impl Columns {
 fn scale_of(numbers: &[f32]) -> f32 {
     let largest = numbers.iter().fold(0.0_f32, |largest, number| largest.max(number.abs()));
     if largest == 0.0 {
-        return 1.0;
+        return LEAST_SCALE;
     }
     let power_of_two = f32::from_bits(largest.to_bits() & 0x7F80_0000);
     (power_of_two / 16_384.0).max(LEAST_SCALE)

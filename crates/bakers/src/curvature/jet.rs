@@ -17,6 +17,9 @@
 //! six lose no more than half of f64's digits; a pivot that loses more ends the usable degrees instead
 //! ([`JetFits::degrees`]). The [`reference`](mod@super::reference) solves by Householder reflections.
 
+#[cfg(test)]
+mod tests;
+
 use fearless_simd::{Simd, f64x8, prelude::*};
 
 use super::neighbourhood::Gatherer;

@@ -10,13 +10,13 @@
 //!
 //! # Steps
 //!
-//! 1. [`sheets`]: the mesh becomes smooth, oriented sheets of welded points.
-//! 2. [`neighbourhood`]: around each point the nearest ones along the surface, *flattened*: space is bent conformally so that
+//! 1. `sheets`: the mesh becomes smooth, oriented sheets of welded points.
+//! 2. `neighbourhood`: around each point the nearest ones along the surface, *flattened*: space is bent conformally so that
 //!    the sphere that follows them best is a plane. The bent polynomial has far less left to follow: at 4000 vertices the error is a tenth on
 //!    an ellipsoid, and rounding on a sphere of any tessellation.
-//! 3. [`jet`]: jets of all degrees at once, eight points in lockstep; [`estimate`] takes the highest that the neighbours support: degree 6
+//! 3. `jet`: jets of all degrees at once, eight points in lockstep; `estimate` takes the highest that the neighbours support: degree 6
 //!    on 44 neighbours inside, 8 on 60 at the edge of a surface, where a jet has to look out of its neighbourhood; lower where points lie in too few rows.
-//! 4. [`noise`]: if what the jets leave over is noise and not shape, neighbourhoods widen as far as the surface allows, and degrees fall.
+//! 4. `noise`: if what the jets leave over is noise and not shape, neighbourhoods widen as far as the surface allows, and degrees fall.
 //! 5. [`forms`] carries curvature over to texture coordinates.
 //!
 //! [`CurvatureMethod::Fast`] is a cubic jet on 18 neighbours without step 4.
@@ -44,7 +44,9 @@ mod neighbourhood;
 mod noise;
 mod params;
 mod patch;
+pub mod reference;
 mod sheets;
+mod sphere;
 mod table;
 mod tensor;
 
