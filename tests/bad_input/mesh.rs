@@ -172,8 +172,9 @@ fn a_picture_of_a_mesh_says_which_views_and_sizes_there_are() {
         ("--size 0", "'0' for '--size <N>': 0 is not in 1..=8192".to_owned()),
         ("--size 8193", "'8193' for '--size <N>': 8193 is not in 1..=8192".to_owned()),
     ] {
-        let message = place.fails(1, &format!("dump torus.barchan --format png --mesh torus.obj {flag} -o a.png"));
-        assert!(message.contains(&error), "{flag}: {message}");
+        let run = place.run(&format!("dump torus.barchan --format png --mesh torus.obj {flag} -o a.png"));
+        assert_eq!(run.code, Some(1), "{flag}: {}", run.stdout);
+        assert!(run.stderr.contains(&error), "{flag}: {}", run.stderr);
     }
     assert_eq!(place.names(), ["torus.barchan", "torus.obj"]);
 }
