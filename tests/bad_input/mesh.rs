@@ -140,11 +140,14 @@ fn a_dump_names_what_curvature_does_not_have() {
         ("--layer 0", "--layer is for textures; curvature has vertices"),
         ("--mip 0", "--mip is for textures; curvature has vertices"),
         ("--column forms --format csv", "--column is for npy and text; csv has every column, ply k1 and k2"),
-        ("--mesh torus.obj", "--mesh is for --format ply"),
-        ("--by k1", "--by is for --format ply"),
+        ("--mesh torus.obj", "--mesh is for --format ply and png"),
+        ("--by k1", "--by is for --format ply and png"),
+        ("--format ply --mesh torus.obj --view 0,90 -o a.ply", "--view is for --format png"),
+        ("--up z", "--up is for --format png"),
+        ("--size 100", "--size is for --format png"),
         ("--format ply -o a.ply", "--mesh is missing: a .barchan file holds no geometry for ply to colour"),
-        ("--format png -o a.png", "--format is png; npy, csv, text and ply show the curvature of vertices"),
-        ("--format exr -o a.exr", "--format is exr; npy, csv, text and ply show the curvature of vertices"),
+        ("--format png -o a.png", "--mesh is missing: a .barchan file holds no geometry for png to colour"),
+        ("--format exr -o a.exr", "--format is exr; npy, csv, text, ply and png show the curvature of vertices"),
         ("--format npy", "-o is missing: only text and csv go to stdout, and not with --json"),
         ("--format ply --mesh torus.obj -o torus.obj", "torus.obj: this is the input; another name is needed for -o"),
     ] {
@@ -154,6 +157,25 @@ fn a_dump_names_what_curvature_does_not_have() {
         place.fails(2, "dump torus.barchan curvature --column forms"),
         "torus.barchan: curvature has no forms; it has principal, directions"
     );
+    assert_eq!(place.names(), ["torus.barchan", "torus.obj"]);
+}
+
+#[test]
+fn a_picture_of_a_mesh_says_which_views_and_sizes_there_are() {
+    let place = baked();
+    let view = "accepted: an azimuth within ±360 degrees and an elevation within ±90, such as 30,25";
+    for (flag, error) in [
+        ("--view 30", format!("'30' for '--view <AZIMUTH,ELEVATION>': {view}")),
+        ("--view 0,91", format!("'0,91' for '--view <AZIMUTH,ELEVATION>': {view}")),
+        ("--view -361,0", format!("'-361,0' for '--view <AZIMUTH,ELEVATION>': {view}")),
+        ("--view 1,nan", format!("'1,nan' for '--view <AZIMUTH,ELEVATION>': {view}")),
+        ("--size 0", "'0' for '--size <N>': 0 is not in 1..=8192".to_owned()),
+        ("--size 8193", "'8193' for '--size <N>': 8193 is not in 1..=8192".to_owned()),
+    ] {
+        let run = place.run(&format!("dump torus.barchan --format png --mesh torus.obj {flag} -o a.png"));
+        assert_eq!(run.code, Some(1), "{flag}: {}", run.stdout);
+        assert!(run.stderr.contains(&error), "{flag}: {}", run.stderr);
+    }
     assert_eq!(place.names(), ["torus.barchan", "torus.obj"]);
 }
 
@@ -176,7 +198,7 @@ fn only_the_mesh_that_was_baked_is_coloured() {
 fn textures_have_no_curvature_to_choose_from() {
     let place = Place::with("map.npy", npy(4, &bumpy(4, 4)));
     place.ok("bake map.npy --only height");
-    for flag in ["--column principal", "--mesh a.obj", "--by k1"] {
+    for flag in ["--column principal", "--mesh a.obj", "--by k1", "--view 0,0", "--up y", "--size 9"] {
         let name = flag.split(' ').next().unwrap();
         let expected = format!("{name} is for curvature; height is a texture");
         assert_eq!(place.fails(1, &format!("dump map.barchan {flag}")), expected);
@@ -198,7 +220,7 @@ fn a_picture_needs_relief() {
         assert_eq!(
             place.fails(2, &format!("render torus.barchan -o a.png {flags}")),
             "torus.barchan: the file has the curvature of a mesh alone; a picture needs the relief of a height map, and `dump \
-             --format ply` colours the mesh"
+             --format png` draws the mesh in colour"
         );
     }
 }

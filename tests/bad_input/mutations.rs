@@ -145,6 +145,7 @@ fn mutated_curvature_is_survived_by_every_command() {
                 "validate a.barchan",
                 "dump a.barchan curvature --format csv -o a.csv",
                 "dump a.barchan curvature --format ply --mesh torus.obj -o a.ply",
+                "dump a.barchan curvature --format png --mesh torus.obj --size 40 -o a.png",
                 "compare whole.barchan a.barchan",
             ] {
                 survives(&place, words, &format!("{compression}, round {round}"));

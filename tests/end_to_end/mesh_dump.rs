@@ -3,7 +3,7 @@
 use barchan_import::{MeshOptions, decode_mesh, no_buffers};
 use serde_json::json;
 
-use crate::support::{Place, Torus};
+use crate::support::{Place, Torus, rgb};
 
 /// A baked torus with texture coordinates, every column, exact.
 fn place() -> Place {
@@ -108,6 +108,35 @@ fn ply_is_the_mesh_in_colour() {
 }
 
 #[test]
+fn png_is_a_picture_of_the_mesh_in_colour() {
+    let place = place();
+    let draw = "dump torus.barchan curvature --format png --mesh torus.obj --up z --by k2 -o torus.png";
+    let words = place.ok(draw);
+    let first = "dumped    curvature to torus.png: 1225 vertices, 800 × 452 pixels\ncolours   least curvature k2: ";
+    assert!(words.starts_with(first), "{words}");
+    let picture = rgb(&place.read("torus.png"));
+    // A width of 5 and a height of 4 sin 25° + 1, and 24 pixels around.
+    assert_eq!(picture.dimensions(), (800, 452));
+    assert_eq!(picture.get_pixel(0, 0).0, [16, 18, 22]);
+    // Convex in front, concave on what is seen of the inside behind the hole.
+    let [front, inside] = [300, 130].map(|row| picture.get_pixel(400, row).0);
+    assert!(front[0] > front[2].saturating_add(50), "red: {front:?}");
+    assert!(inside[2] > inside[0].saturating_add(50), "blue: {inside:?}");
+
+    let before = place.read("torus.png");
+    let report = place.json(draw);
+    assert_eq!((&report["pixels"], &report["vertices"]), (&json!([800, 452]), &json!(1225)));
+    assert_eq!(place.read("torus.png"), before, "the same again");
+    // From above it is round, and the hole is in its middle.
+    place.ok(&format!("{draw} --view -90,90 --size 64"));
+    let picture = rgb(&place.read("torus.png"));
+    assert_eq!((picture.dimensions(), picture.get_pixel(32, 32).0), ((64, 64), [16, 18, 22]));
+    // The mesh of a file has y up where nothing else is said: from its front the ring's plane is the picture's.
+    place.ok("dump torus.barchan --format png --mesh torus.obj --view 0,0 --size 64 -o torus.png");
+    assert_eq!(rgb(&place.read("torus.png")).dimensions(), (64, 64));
+}
+
+#[test]
 fn a_surface_of_a_recipe_needs_no_mesh_to_be_coloured() {
     let place = Place::with(
         "saddle.ron",
@@ -118,6 +147,9 @@ fn a_surface_of_a_recipe_needs_no_mesh_to_be_coloured() {
     let mesh = decode_mesh(&place.read("saddle.ply"), &MeshOptions::default(), &mut no_buffers).unwrap().mesh;
     let vertices = place.json("inspect saddle.barchan")["sections"][0]["curvature"]["vertices"].clone();
     assert_eq!(json!(mesh.positions().len()), vertices);
+    // It has z up: from the side it is as high as one turn, 3, and as wide as its diameter, 4.
+    place.ok("dump saddle.barchan --format png --view 0,0 --size 100 -o saddle.png");
+    assert_eq!(rgb(&place.read("saddle.png")).dimensions(), (100, 77));
 }
 
 #[test]

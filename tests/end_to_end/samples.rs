@@ -46,6 +46,9 @@ fn follow_mesh(sample: &str) {
     assert!(curvature.values.iter().any(|&curvature| curvature != 0.0));
     let mesh = report["mesh"]["path"].as_str().map(|path| format!("--mesh {path}")).unwrap_or_default();
     place.ok(&format!("dump baked.barchan curvature --format ply {mesh} -o coloured.ply"));
+    let drawn = place.json(&format!("dump baked.barchan curvature --format png {mesh} -o coloured.png"));
+    let (width, height) = rgb(&place.read("coloured.png")).dimensions();
+    assert_eq!((width.max(height), &drawn["pixels"]), (800, &serde_json::json!([width, height])));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, ensure};
 
 use crate::run::{cargo, root, run};
 
-/// A picture of the gallery: its name, its recipe, and how it is drawn.
+/// A lit picture of the gallery: its name, its recipe, and how it is drawn.
 struct Picture {
     name: &'static str,
     recipe: &'static str,
@@ -24,6 +24,9 @@ const GALLERY: [Picture; 7] = [
     Picture { name: "cylinder_bumps", recipe: "cylinder_bumps", options: "--azimuth 30 --elevation 20 --scale 2" },
     Picture { name: "fractal_terrain", recipe: "fractal_terrain", options: "--azimuth 120 --elevation 25" },
 ];
+
+/// How the bust is drawn: from the front, a little to one side.
+const BUST: &str = "--format png --view 30,-5 --size 640";
 
 /// Draws `samples/gallery/*.png`; baked files go under `target/samples`.
 pub(crate) fn samples() -> Result<()> {
@@ -43,7 +46,10 @@ pub(crate) fn samples() -> Result<()> {
         let output = gallery.join(picture.name).with_extension("png");
         barchan(&program, &[&"render", &asset, &"-o", &output], picture.options)?;
     }
-    println!("{} pictures in {}", GALLERY.len(), gallery.display());
+    let (asset, mesh) = (baked.join("demosthenes.barchan"), root().join("samples/demosthenes.ply"));
+    let bust = gallery.join("demosthenes_curvature.png");
+    barchan(&program, &[&"dump", &asset, &"curvature", &"--mesh", &mesh, &"-o", &bust], BUST)?;
+    println!("{} pictures in {}", GALLERY.len() + 1, gallery.display());
     // Curved surfaces are no part of a recipe: the study has them.
     cargo("run --release --quiet -p barchan-study --example study -- pictures")
 }

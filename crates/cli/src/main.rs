@@ -11,6 +11,7 @@ mod failure;
 mod inspect;
 mod mesh_words;
 mod output;
+mod png;
 mod progress;
 mod render;
 mod validate;

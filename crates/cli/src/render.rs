@@ -1,12 +1,9 @@
 //! `barchan render`: a picture that shows at once whether a bake is right.
 
-use std::io::Cursor;
-
 use barchan_asset::{BentNormalView, HeightView, HorizonView, SkyVisibilityView};
 use barchan_metrics::{MaskDisagreement, signed_colour};
 use barchan_pipeline::Table;
 use barchan_shade::{DirectionalLight, HorizonShadow, Palette, Picture, Pixels, SkyLight, Surface, TracedShadow};
-use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use serde::Serialize;
 
 use crate::args::{ProgressStyleName, RenderArguments};
@@ -14,6 +11,7 @@ use crate::asset_file::AssetFile;
 use crate::console;
 use crate::failure::{ExitStatus, Failure};
 use crate::output;
+use crate::png;
 use crate::progress::ProgressDisplay;
 
 /// White pixels between pictures that stand side by side.
@@ -50,8 +48,8 @@ pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json
     let file = AssetFile::read(&arguments.file)?;
     if file.tables()? == [Table::Curvature] {
         return Err(file.content(
-            "the file has the curvature of a mesh alone; a picture needs the relief of a height map, and `dump --format ply` \
-             colours the mesh",
+            "the file has the curvature of a mesh alone; a picture needs the relief of a height map, and `dump --format png` \
+             draws the mesh in colour",
         ));
     }
     if arguments.ambient {
@@ -70,7 +68,7 @@ pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json
     let display = ProgressDisplay::new(progress);
     let drawing = scene.draw(arguments.compare, &display);
     display.finish();
-    output::write_whole(&arguments.output, &png(&drawing.picture)?)?;
+    output::write_whole(&arguments.output, &png::encode(&drawing.picture)?)?;
     console::present(&report(arguments, drawing), json, describe)?;
     Ok(ExitStatus::Success)
 }
@@ -113,7 +111,7 @@ fn ambient(file: &AssetFile, arguments: &RenderArguments, json: bool) -> Result<
         height: pixels.height,
         mean_visibility: shares.iter().sum::<f64>() / shares.len() as f64,
     };
-    output::write_whole(&arguments.output, &png(&Picture::overcast(&pixels, &sky, &Palette::SAND))?)?;
+    output::write_whole(&arguments.output, &png::encode(&Picture::overcast(&pixels, &sky, &Palette::SAND))?)?;
     console::present(&report, json, |report| {
         let AmbientReport { output, width, height, mean_visibility, .. } = report;
         let share = 100.0 * mean_visibility;
@@ -238,14 +236,6 @@ fn difference(pixels: &Pixels, mask: &[bool], truth: &[bool]) -> Picture {
         (false, false) => signed_colour(0.0),
     });
     Picture { width: pixels.width, height: pixels.height, rgb: colours.flatten().collect() }
-}
-
-fn png(picture: &Picture) -> Result<Vec<u8>, Failure> {
-    let mut bytes = Cursor::new(Vec::new());
-    PngEncoder::new(&mut bytes)
-        .write_image(&picture.rgb, picture.width, picture.height, ExtendedColorType::Rgb8)
-        .map_err(|error| Failure::Io(format!("the picture cannot be encoded: {error}")))?;
-    Ok(bytes.into_inner())
 }
 
 fn describe(report: &Report) -> String {

@@ -6,11 +6,8 @@
 
 use glam::DVec3;
 
-use crate::picture::to_srgb;
+use crate::picture::{BACKGROUND, to_srgb};
 use crate::{BaseSurface, Camera, Palette, Picture, Place, Surface};
-
-/// Where a camera sees nothing.
-const BACKGROUND: [u8; 3] = [16, 18, 22];
 
 /// What the pixels of a picture see of a surface.
 #[derive(Debug, Clone)]

@@ -4,6 +4,9 @@ use glam::DVec3;
 
 use crate::{DirectionalLight, SkyLight, Surface};
 
+/// sRGB, where a picture shows nothing.
+pub(crate) const BACKGROUND: [u8; 3] = [16, 18, 22];
+
 /// The pixels of a picture over a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pixels {
@@ -144,10 +147,11 @@ impl Picture {
 
 /// Linear light to sRGB bytes, with a shoulder instead of a hard clip.
 pub(crate) fn to_srgb(linear: DVec3) -> [u8; 3] {
-    linear.to_array().map(|light| {
-        let exposed = 1.0 - libm::exp(-1.2 * light);
-        let encoded =
-            if exposed <= 0.003_130_8 { 12.92 * exposed } else { 1.055 * libm::pow(exposed, 1.0 / 2.4) - 0.055 };
-        (255.0 * encoded).round().clamp(0.0, 255.0) as u8
-    })
+    linear.to_array().map(|light| encode_srgb(1.0 - libm::exp(-1.2 * light)))
+}
+
+/// Linear light from 0 to 1 as an sRGB byte.
+pub(crate) fn encode_srgb(linear: f64) -> u8 {
+    let encoded = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055 };
+    (255.0 * encoded).round().clamp(0.0, 255.0) as u8
 }

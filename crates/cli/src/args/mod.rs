@@ -9,7 +9,10 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 pub(crate) use self::bake::{BakeArguments, BareArguments, HeightMapArguments, MeshArguments, MethodName};
-pub(crate) use self::dump::{ColouredBy, CurvatureDumpArguments, DumpArguments, DumpFormat, TextureDumpArguments};
+pub(crate) use self::dump::{
+    ColouredBy, CurvatureDumpArguments, DumpArguments, DumpFormat, MeshPictureArguments, TextureDumpArguments,
+    UpAxisName,
+};
 use self::words::{elevation, finite, not_negative};
 
 /// Bakes relief and the curvature of meshes into tables that a shader can read.

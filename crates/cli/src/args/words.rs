@@ -68,6 +68,14 @@ pub(super) fn arc(text: &str) -> Result<(f64, f64), String> {
     if is_arc { Ok((first, last)) } else { Err(accepted()) }
 }
 
+pub(super) fn view(text: &str) -> Result<(f64, f64), String> {
+    let accepted = || "accepted: an azimuth within ±360 degrees and an elevation within ±90, such as 30,25".to_owned();
+    let (azimuth, elevation) = text.split_once(',').ok_or_else(accepted)?;
+    let (azimuth, elevation) = (finite(azimuth).map_err(|_| accepted())?, finite(elevation).map_err(|_| accepted())?);
+    let is_view = azimuth.abs() <= 360.0 && elevation.abs() <= 90.0;
+    if is_view { Ok((azimuth, elevation)) } else { Err(accepted()) }
+}
+
 pub(super) fn compression(text: &str) -> Result<Compression, String> {
     word(text, &[("none", Compression::None), ("zstd", Compression::Zstd)])
 }

@@ -12,7 +12,7 @@ use barchan_asset::{BentNormalView, Semantic, Unit};
 use barchan_pipeline::Table;
 use serde::Serialize;
 
-use crate::args::{CurvatureDumpArguments, DumpArguments, DumpFormat, TextureDumpArguments};
+use crate::args::{CurvatureDumpArguments, DumpArguments, DumpFormat, MeshPictureArguments, TextureDumpArguments};
 use crate::asset_file::{AssetFile, DecodedTable, list};
 use crate::console;
 use crate::failure::{ExitStatus, Failure};
@@ -132,8 +132,15 @@ fn chosen_table(file: &AssetFile, named: Option<Table>) -> Result<Table, Failure
 }
 
 fn first_curvature_flag(flags: &CurvatureDumpArguments) -> Option<&'static str> {
-    let CurvatureDumpArguments { column, mesh, by } = flags;
-    let typed = [("--column", column.is_some()), ("--mesh", mesh.is_some()), ("--by", by.is_some())];
+    let CurvatureDumpArguments { column, mesh, by, picture: MeshPictureArguments { view, up, size } } = flags;
+    let typed = [
+        ("--column", column.is_some()),
+        ("--mesh", mesh.is_some()),
+        ("--by", by.is_some()),
+        ("--view", view.is_some()),
+        ("--up", up.is_some()),
+        ("--size", size.is_some()),
+    ];
     typed.into_iter().find(|(_, is_typed)| *is_typed).map(|(flag, _)| flag)
 }
 

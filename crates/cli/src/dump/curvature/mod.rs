@@ -1,5 +1,7 @@
-//! The curvature of a mesh: a row per vertex, or the mesh in colour.
+//! The curvature of a mesh: a row per vertex, or the mesh in colour, as a file or as a picture.
 
+mod colouring;
+mod picture;
 mod ply;
 mod rows;
 
@@ -11,14 +13,15 @@ use barchan_pipeline::{
 };
 use serde::Serialize;
 
-use self::ply::Colouring;
+use self::colouring::Colouring;
 use super::npy;
-use crate::args::{DumpArguments, DumpFormat};
+use crate::args::{DumpArguments, DumpFormat, MeshPictureArguments};
 use crate::asset_file::AssetFile;
 use crate::console::{self, number};
 use crate::curvature_rows;
 use crate::failure::{ExitStatus, Failure};
 use crate::output;
+use crate::png;
 
 #[derive(Serialize)]
 struct Report {
@@ -31,6 +34,8 @@ struct Report {
     numbers: Vec<&'static str>,
     /// What is coloured, and how; `null` where nothing is.
     colouring: Option<Colouring>,
+    /// Pixels across and down of a picture; `null` where there is none.
+    pixels: Option<[u32; 2]>,
 }
 
 pub(super) fn run(file: &AssetFile, arguments: &DumpArguments, json: bool) -> Result<ExitStatus, Failure> {
@@ -42,20 +47,26 @@ pub(super) fn run(file: &AssetFile, arguments: &DumpArguments, json: bool) -> Re
     let view = table.view();
     let part = arguments.curvature.column.unwrap_or(CurvaturePart::Principal);
     check_present(file, &view, part)?;
-    let mut colouring = None;
+    let (mut colouring, mut pixels) = (None, None);
     let bytes = match arguments.format {
         DumpFormat::Text => rows::text(&view, part).into_bytes(),
         DumpFormat::Csv => rows::csv(&view).into_bytes(),
         DumpFormat::Npy => rows::npy(&view, part)?,
-        DumpFormat::Ply => {
+        DumpFormat::Ply | DumpFormat::Png => {
             let mesh = mesh(file, arguments, view.vertices())?;
-            let chosen = Colouring::new(&view, arguments.curvature.by.unwrap_or_default());
-            let bytes = ply::encode(&mesh.mesh, &view, &chosen);
-            colouring = Some(chosen);
-            bytes
+            let chosen = colouring.insert(Colouring::new(&view, arguments.curvature.by.unwrap_or_default()));
+            if arguments.format == DumpFormat::Ply {
+                ply::encode(&mesh.mesh, &view, chosen)
+            } else {
+                let picture = picture::draw(&mesh, &view, chosen, &arguments.curvature.picture);
+                pixels = Some([picture.width, picture.height]);
+                png::encode(&picture)?
+            }
         }
-        DumpFormat::Png => return Err(no_picture("png")),
-        DumpFormat::Exr => return Err(no_picture("exr")),
+        DumpFormat::Exr => {
+            let words = "--format is exr; npy, csv, text, ply and png show the curvature of vertices";
+            return Err(Failure::Usage(words.to_owned()));
+        }
     };
     let Some(output) = &arguments.output else {
         return super::to_stdout(arguments.format, json, &bytes);
@@ -70,22 +81,21 @@ pub(super) fn run(file: &AssetFile, arguments: &DumpArguments, json: bool) -> Re
         numbers: match arguments.format {
             DumpFormat::Csv => curvature_rows::present(&view).flat_map(curvature_rows::numbers).copied().collect(),
             DumpFormat::Ply => curvature_rows::numbers(CurvaturePart::Principal).to_vec(),
+            DumpFormat::Png => Vec::new(),
             _ => curvature_rows::numbers(part).to_vec(),
         },
         colouring,
+        pixels,
     };
     console::present(&report, json, describe)?;
     Ok(ExitStatus::Success)
 }
 
-fn no_picture(format: &str) -> Failure {
-    Failure::Usage(format!("--format is {format}; npy, csv, text and ply show the curvature of vertices"))
-}
-
 /// Refuses flags that say nothing about what is dumped.
 fn check_flags(arguments: &DumpArguments) -> Result<(), Failure> {
     let DumpArguments { format, texture, curvature, .. } = arguments;
-    let is_ply = *format == DumpFormat::Ply;
+    let (is_ply, is_png) = (*format == DumpFormat::Ply, *format == DumpFormat::Png);
+    let MeshPictureArguments { view, up, size } = &curvature.picture;
     let has_column = matches!(format, DumpFormat::Npy | DumpFormat::Text);
     let refusals = [
         (texture.layer.is_some(), "--layer is for textures; curvature has vertices"),
@@ -94,8 +104,11 @@ fn check_flags(arguments: &DumpArguments) -> Result<(), Failure> {
             curvature.column.is_some() && !has_column,
             "--column is for npy and text; csv has every column, ply k1 and k2",
         ),
-        (curvature.mesh.is_some() && !is_ply, "--mesh is for --format ply"),
-        (curvature.by.is_some() && !is_ply, "--by is for --format ply"),
+        (curvature.mesh.is_some() && !(is_ply || is_png), "--mesh is for --format ply and png"),
+        (curvature.by.is_some() && !(is_ply || is_png), "--by is for --format ply and png"),
+        (view.is_some() && !is_png, "--view is for --format png"),
+        (up.is_some() && !is_png, "--up is for --format png"),
+        (size.is_some() && !is_png, "--size is for --format png"),
     ];
     match refusals.into_iter().find(|(applies, _)| *applies) {
         Some((_, words)) => Err(Failure::Usage(words.to_owned())),
@@ -122,8 +135,9 @@ fn mesh(file: &AssetFile, arguments: &DumpArguments, vertices: u32) -> Result<Me
             return Err(Failure::Usage(words));
         }
         (_, None) => {
-            let words = "--mesh is missing: a .barchan file holds no geometry for ply to colour";
-            return Err(Failure::Usage(words.to_owned()));
+            let format = if arguments.format == DumpFormat::Png { "png" } else { "ply" };
+            let words = format!("--mesh is missing: a .barchan file holds no geometry for {format} to colour");
+            return Err(Failure::Usage(words));
         }
         (Some(MeshOrigin::File { blake3, mesh, .. }), Some(path)) => {
             Expected { file, vertices, blake3: Some(blake3) }.read(&MeshFile { path: path.clone(), mesh })?
@@ -176,8 +190,12 @@ impl Expected<'_> {
 }
 
 fn describe(report: &Report) -> String {
-    let Report { output, vertices, numbers, colouring, .. } = report;
-    let mut text = format!("dumped    curvature to {output}: {vertices} vertices, {}\n", numbers.join(", "));
+    let Report { output, vertices, numbers, colouring, pixels, .. } = report;
+    let what = match pixels {
+        Some([width, height]) => format!("{width} × {height} pixels"),
+        None => numbers.join(", "),
+    };
+    let mut text = format!("dumped    curvature to {output}: {vertices} vertices, {what}\n");
     if let Some(Colouring { words, limit, unit, .. }) = colouring {
         let limit = number(*limit);
         text +=
