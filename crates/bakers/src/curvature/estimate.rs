@@ -9,8 +9,6 @@ use super::tensor::principal;
 
 /// Neighbours beyond its coefficients, in effective number, that a jet needs.
 const LEAST_FREEDOM: f64 = 1.0;
-/// The same, where several jets are compared by what they leave over.
-const LEAST_SPARE: f64 = 3.0;
 /// The part of the curvature that an error may be before other neighbourhoods are tried.
 const UNRESOLVED: f64 = 0.02;
 /// The weight that a coefficient takes from the residual, tr(G⁻¹ Σ w² φ φᵀ) over the number of coefficients: weights are not inverse
@@ -19,9 +17,11 @@ const UNRESOLVED: f64 = 0.02;
 const LEVERAGE: f64 = 0.46;
 /// The variance of a shape over what the inverse normal matrix says of it, for the same reason, by degree from 2; measured likewise.
 const VARIANCE_SHARE: [f64; MAX_DEGREE - 1] = [0.44, 0.44, 0.60, 0.60, 0.73, 0.73, 0.78];
-/// The greatest variance of a shape, under unit noise, in a neighbourhood of unit size: 1000 is usual inside a surface, 10⁷ at its edge, where
-/// a jet looks out of its neighbourhood. Neighbours in rows and columns too few for a degree give 10¹¹ and more.
-const MOST_AMPLIFIED: f64 = 1e8;
+/// The greatest variance of a shape, under unit noise, in a neighbourhood of unit size: 1000 is usual for degree 6. Neighbours in rows and
+/// columns too few for a degree give 10⁶ and more.
+pub(super) const MOST_AMPLIFIED: f64 = 3e4;
+/// The same at the edge of the surface, where a jet of degree 8 looks out of its neighbourhood.
+pub(super) const MOST_AMPLIFIED_AT_BORDER: f64 = 1e8;
 /// The same for quadrics: 6 is usual.
 const WELL_AMPLIFIED: f64 = 60.0;
 
@@ -112,14 +112,14 @@ pub(super) struct Residue {
 }
 
 impl Estimate {
-    /// The highest degree that the neighbours support; `None` if they support none.
-    pub(super) fn of(patch: &Patch) -> Option<Self> {
+    /// The highest degree that the neighbours support within an amplification; `None` if they support none.
+    pub(super) fn of(patch: &Patch, most_amplified: f64) -> Option<Self> {
         let scale = unit(patch);
         (2..=patch.fits.degrees).rev().find_map(|degree| {
             let freedom = freedom(&patch.fits, degree);
             let shape = Shape::of(patch, degree);
             let supported = degree == 2 || freedom >= LEAST_FREEDOM;
-            (supported && shape.variance * scale <= MOST_AMPLIFIED).then(|| {
+            (supported && shape.variance * scale <= most_amplified).then(|| {
                 let told = degree >= 4 && freedom >= LEAST_FREEDOM;
                 let residue = told
                     .then(|| Residue { fine: variance_left(patch, degree), coarse: variance_left(patch, degree - 2) });
@@ -130,7 +130,7 @@ impl Estimate {
 
     /// The estimate of a lower degree, where its neighbours determine it with some to spare.
     pub(super) fn of_degree(patch: &Patch, degree: usize) -> Option<Self> {
-        if degree > patch.fits.degrees || freedom(&patch.fits, degree) < LEAST_SPARE {
+        if degree > patch.fits.degrees || freedom(&patch.fits, degree) < LEAST_FREEDOM {
             return None;
         }
         let most_amplified = if degree == 2 { WELL_AMPLIFIED } else { MOST_AMPLIFIED };

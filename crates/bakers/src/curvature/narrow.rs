@@ -3,7 +3,7 @@
 use barchan_asset::VertexFlags;
 use fearless_simd::{Level, Simd, dispatch};
 
-use super::estimate::{Estimate, Residue};
+use super::estimate::{Estimate, MOST_AMPLIFIED, MOST_AMPLIFIED_AT_BORDER, Residue};
 use super::jet::{LANES, Solver};
 use super::patch::{Fitter, Reach};
 use super::sheets::Sheets;
@@ -22,7 +22,7 @@ const BORDER_NEIGHBOURS: usize = 60;
 const GROWTH: [usize; 3] = [1, 2, 4];
 
 /// Neighbours and degrees that are tried where a surface is so coarse that the usual ones do not resolve it.
-const SMALLER: [(usize, usize); 5] = [(30, 4), (22, 4), (22, 2), (16, 2), (10, 2)];
+const SMALLER: [(usize, usize); 6] = [(30, 4), (22, 4), (22, 2), (16, 2), (10, 2), (8, 2)];
 
 /// What the first pass finds at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,6 +87,7 @@ fn fit_points<S: Simd, const DEGREE: usize>(
     found: &mut [Found],
 ) {
     let mut solver = Solver::new(simd);
+    let most_amplified = if DEGREE > 6 { MOST_AMPLIFIED_AT_BORDER } else { MOST_AMPLIFIED };
     let mut wanting = reaches.to_vec();
     for growth in GROWTH {
         let asked = std::mem::take(&mut wanting);
@@ -94,7 +95,7 @@ fn fit_points<S: Simd, const DEGREE: usize>(
             let grown: Vec<Reach> = asked.iter().map(|&(point, count)| (point, growth * count)).collect();
             let patches = fitter.fit::<_, DEGREE>(simd, &mut solver, &grown);
             for (&(point, count), patch) in asked.iter().zip(&patches) {
-                let Some(estimate) = Estimate::of(patch) else {
+                let Some(estimate) = Estimate::of(patch, most_amplified) else {
                     wanting.push((point, count));
                     continue;
                 };

@@ -9,11 +9,13 @@ use super::frame::Frame;
 use super::sheets::Sheets;
 use super::sphere::Sphere;
 
-/// How much wider than high a neighbourhood must be before distances are measured in its own ellipse.
-const ELONGATED: f64 = 3.0;
-/// The ellipse is this power of what the neighbours' own is, in long over short: a jet wants as many rows as its degree, and the rows of
-/// triangles that are long and thin are far apart. Of 0.4, 0.6, 0.8 and 1 the best, by a factor of 1.5 to 60, on every surface of aspect 20.
-const LESS_ELONGATED: f64 = 0.4;
+/// How much longer than wide a neighbourhood must be before distances are measured in an ellipse.
+const ELONGATED: f64 = 1.4;
+/// The ellipse is this power of what the neighbours' own is, in long over short, up to [`MOST_ELONGATED`]: a jet wants as many rows as its
+/// degree, and the rows of triangles that are long and thin are far apart. Of 0.4, 0.6, 0.8 and 1 and of bounds from 3.3 to none the best on
+/// grids of aspect up to 4 and random meshes of aspect 20.
+const LESS_ELONGATED: f64 = 0.7;
+const MOST_ELONGATED: f64 = 3.3;
 /// As rings are longer than that ellipse, so many times the neighbours are looked at.
 const LOOKED_AT: usize = 3;
 /// How many neighbours of one point are followed: a hub of a fan has 100 000.
@@ -67,7 +69,7 @@ impl<'a> Gatherer<'a> {
         if long > ELONGATED * short {
             self.collect(centre, LOOKED_AT * count);
             frame = frame.turned(axes.direction);
-            scale = [1.0, libm::pow(long / short, LESS_ELONGATED)];
+            scale = [1.0, libm::pow(long / short, LESS_ELONGATED).min(MOST_ELONGATED)];
         }
         self.measure(&frame, scale);
         self.keep_nearest(count);
