@@ -2,7 +2,7 @@
 
 use crate::support::{Place, Torus, bumpy, npy};
 
-const SMALL: Torus = Torus { around: 12, along: 8 };
+const SMALL: Torus = Torus { around: 24, along: 16 };
 
 fn place() -> Place {
     Place::with("torus.obj", SMALL.obj())
@@ -185,7 +185,7 @@ fn only_the_mesh_that_was_baked_is_coloured() {
     place.write("other.obj", Torus { around: 9, along: 9 }.obj());
     place.write("moved.obj", SMALL.obj().replacen("v 2.5 ", "v 2.6 ", 1));
     let dump = |mesh: &str| place.fails(2, &format!("dump torus.barchan --format ply --mesh {mesh} -o a.ply"));
-    assert_eq!(dump("other.obj"), "other.obj: the mesh has 81 vertices; torus.barchan has the curvature of 96");
+    assert_eq!(dump("other.obj"), "other.obj: the mesh has 81 vertices; torus.barchan has the curvature of 384");
     let message = dump("moved.obj");
     assert!(
         message.starts_with("moved.obj: not the mesh that torus.barchan was baked from: its BLAKE3 is "),

@@ -112,20 +112,18 @@ pub(super) struct Residue {
 }
 
 impl Estimate {
-    /// The highest degree that the neighbours support within an amplification; `None` if they support none.
+    /// The highest degree that the neighbours support within an amplification; else the lowest that they support at all, if any.
     pub(super) fn of(patch: &Patch, most_amplified: f64) -> Option<Self> {
         let scale = unit(patch);
-        (2..=patch.fits.degrees).rev().find_map(|degree| {
-            let freedom = freedom(&patch.fits, degree);
-            let shape = Shape::of(patch, degree);
-            let supported = degree == 2 || freedom >= LEAST_FREEDOM;
-            (supported && shape.variance * scale <= most_amplified).then(|| {
-                let told = degree >= 4 && freedom >= LEAST_FREEDOM;
-                let residue = told
-                    .then(|| Residue { fine: variance_left(patch, degree), coarse: variance_left(patch, degree - 2) });
-                Self { shape, residue, error: error(patch, degree) }
-            })
-        })
+        let within = |degree: usize, most: f64| Shape::of(patch, degree).variance * scale <= most;
+        let free = |degree: usize| degree == 2 || freedom(&patch.fits, degree) >= LEAST_FREEDOM;
+        let mut degrees = 2..=patch.fits.degrees;
+        let highest = degrees.clone().rev().find(|&degree| free(degree) && within(degree, most_amplified));
+        let degree = highest.or_else(|| degrees.find(|&degree| within(degree, MOST_AMPLIFIED_AT_BORDER)))?;
+        let told = degree >= 4 && freedom(&patch.fits, degree) >= LEAST_FREEDOM;
+        let residue =
+            told.then(|| Residue { fine: variance_left(patch, degree), coarse: variance_left(patch, degree - 2) });
+        Some(Self { shape: Shape::of(patch, degree), residue, error: error(patch, degree) })
     }
 
     /// The estimate of a lower degree, where its neighbours determine it with some to spare.
