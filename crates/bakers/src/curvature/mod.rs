@@ -11,11 +11,13 @@
 //! # Steps
 //!
 //! 1. `sheets`: the mesh becomes smooth, oriented sheets of welded points.
-//! 2. `neighbourhood`: around each point the nearest ones along the surface, *flattened*: space is bent conformally so that
-//!    the sphere that follows them best is a plane. The bent polynomial has far less left to follow: at 4000 vertices the error is a tenth on
-//!    an ellipsoid, and rounding on a sphere of any tessellation.
+//! 2. `neighbourhood`: around each point the nearest ones along the surface, in an ellipse where triangles are long; the frame leans to the
+//!    sphere that follows them best, and they are *flattened*: space is bent conformally so that this sphere is a plane. The polynomial
+//!    has far less left to follow: at 4000 vertices the error is a tenth on an ellipsoid, and rounding on a sphere of any tessellation.
 //! 3. `jet`: jets of all degrees at once, eight points in lockstep; `estimate` takes the highest that the neighbours support: degree 6
-//!    on 44 neighbours inside, 8 on 60 at the edge of a surface, where a jet has to look out of its neighbourhood; lower where points lie in too few rows.
+//!    on 44 neighbours inside, 8 on 60 at the edge of a surface, where a jet has to look out of its neighbourhood; lower where
+//!    points lie in too few rows. Where the surface is too coarse for them, smaller
+//!    neighbourhoods compete.
 //! 4. `noise`: if what the jets leave over is noise and not shape, neighbourhoods widen as far as the surface allows, and degrees fall.
 //! 5. [`forms`] carries curvature over to texture coordinates.
 //!

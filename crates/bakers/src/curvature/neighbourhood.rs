@@ -88,7 +88,8 @@ impl<'a> Gatherer<'a> {
     /// Turns the frame until its normal is the sphere's: the normal of slivers along a border can be far off.
     fn lean(&mut self, frame: &Frame, [p, q]: [f64; 2]) -> Frame {
         let normal = (frame.normal - frame.x * p - frame.y * q).normalize();
-        let x = (frame.x - normal * frame.x.dot(normal)).normalize();
+        // So steep that nothing is left of x: the frame stays as it is.
+        let Some(x) = (frame.x - normal * frame.x.dot(normal)).try_normalize() else { return *frame };
         let leant = Frame { origin: frame.origin, x, y: normal.cross(x), normal };
         let rows =
             [leant.x, leant.y, leant.normal].map(|axis| [frame.x, frame.y, frame.normal].map(|old| axis.dot(old)));

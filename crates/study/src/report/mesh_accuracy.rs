@@ -52,9 +52,15 @@ fn of_method(records: &[Record], method: &str) -> String {
     table.render()
 }
 
-/// By which power of the edge the error falls from one mesh to a finer one.
+/// Errors below are rounding, and follow no power.
+const ROUNDING: f64 = 1e-11;
+
+/// By which power of the edge the error falls from one mesh to a finer one; `None` at rounding.
 fn order(coarse: Option<&Record>, fine: Option<&Record>) -> Option<f64> {
     let (coarse, fine) = (coarse?, fine?);
+    if coarse.rms? < ROUNDING {
+        return None;
+    }
     let edges = (f64::from(fine.width) / f64::from(coarse.width)).sqrt();
     let errors = coarse.rms? / fine.rms?;
     (edges > 1.0 && errors.is_finite() && errors > 0.0).then(|| libm::log(errors) / libm::log(edges))
@@ -70,6 +76,7 @@ mod tests {
         assert!((order(Some(&record(1000, 8e-3)), Some(&record(4000, 1e-3))).unwrap() - 3.0).abs() < 1e-12);
         assert_eq!(order(Some(&record(1000, 8e-3)), Some(&record(1000, 8e-3))), None);
         assert_eq!(order(None, Some(&record(1000, 8e-3))), None);
+        assert_eq!(order(Some(&record(1000, 1e-14)), Some(&record(4000, 2e-14))), None);
     }
 
     #[test]
