@@ -59,6 +59,12 @@ impl Shape {
         Self { tensor: [xx + round, xy, yy + round], slope: [p, q], variance }
     }
 
+    /// That of degree 2, where the neighbours determine it, be it only just.
+    pub(super) fn of_quadric(patch: &Patch) -> Option<Self> {
+        let shape = (patch.fits.degrees >= 2).then(|| Self::of(patch, 2))?;
+        (shape.variance * unit(patch) <= MOST_AMPLIFIED).then_some(shape)
+    }
+
     /// The shape of a surface that bends alike in all directions.
     pub(super) fn umbilic(curvature: f64) -> Self {
         Self { tensor: [curvature, 0.0, curvature], slope: [0.0; 2], variance: 0.0 }

@@ -3,9 +3,9 @@
 use barchan_asset::VertexFlags;
 use fearless_simd::{Level, Simd, dispatch};
 
-use super::estimate::{Estimate, MOST_AMPLIFIED, MOST_AMPLIFIED_AT_BORDER, Residue};
+use super::estimate::{Estimate, MOST_AMPLIFIED, MOST_AMPLIFIED_AT_BORDER, Residue, Shape};
 use super::jet::{LANES, Solver};
-use super::patch::{Fitter, Reach};
+use super::patch::{Fitter, Patch, Reach};
 use super::sheets::Sheets;
 use super::{CurvatureMethod, VertexCurvature};
 use crate::Exec;
@@ -23,6 +23,9 @@ const GROWTH: [usize; 3] = [1, 2, 4];
 
 /// Neighbours and degrees that are tried where a surface is so coarse that the usual ones do not resolve it.
 const SMALLER: [(usize, usize); 6] = [(30, 4), (22, 4), (22, 2), (16, 2), (10, 2), (8, 2)];
+
+/// The squared error expected, as a part of the squared curvature, beyond which no expectation means anything and the last of these is taken.
+const HOPELESS: f64 = 0.1;
 
 /// What the first pass finds at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,13 +135,29 @@ pub(super) fn resolve(sheets: &Sheets, found: &mut [Found], exec: &Exec) {
 fn resolve_block<S: Simd>(simd: S, fitter: &mut Fitter<'_>, first: usize, found: &mut [Found]) {
     let mut solver = Solver::new(simd);
     for (point, found) in (first..).zip(found) {
-        let Some(mut least) = found.unresolved else { continue };
+        let Some(error) = found.unresolved else { continue };
         let patches = fitter.fit::<_, 4>(simd, &mut solver, &SMALLER.map(|(count, _)| (point, count)));
-        for (patch, (_, degree)) in patches.iter().zip(SMALLER) {
-            if let Some(estimate) = Estimate::of_degree(patch, degree).filter(|estimate| estimate.error < least) {
-                least = estimate.error;
-                found.curvature = fitter.vertex(point, &patch.frame, &estimate.shape);
-            }
+        let [k1, k2] = found.curvature.principal;
+        let hopeless = error > HOPELESS * (k1 * k1 + k2 * k2);
+        let [.., nearest] = &patches[..SMALLER.len()] else { continue };
+        let chosen = match Shape::of_quadric(nearest).filter(|_| hopeless) {
+            Some(shape) => Some((nearest, shape)),
+            None => likeliest(&patches, error),
+        };
+        if let Some((patch, shape)) = chosen {
+            found.curvature = fitter.vertex(point, &patch.frame, &shape);
         }
     }
+}
+
+/// The one of the smaller neighbourhoods of which the least error is expected, if less than that.
+fn likeliest(patches: &[Patch], mut least: f64) -> Option<(&Patch, Shape)> {
+    let mut likeliest = None;
+    for (patch, (_, degree)) in patches.iter().zip(SMALLER) {
+        if let Some(estimate) = Estimate::of_degree(patch, degree).filter(|estimate| estimate.error < least) {
+            least = estimate.error;
+            likeliest = Some((patch, estimate.shape));
+        }
+    }
+    likeliest
 }
