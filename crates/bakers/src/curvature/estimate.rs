@@ -22,7 +22,7 @@ const VARIANCE_SHARE: [f64; MAX_DEGREE - 1] = [0.44, 0.44, 0.60, 0.60, 0.73, 0.7
 pub(super) const MOST_AMPLIFIED: f64 = 3e4;
 /// The same at the edge of the surface, where a jet of degree 8 looks out of its neighbourhood.
 pub(super) const MOST_AMPLIFIED_AT_BORDER: f64 = 1e8;
-/// The same for quadrics: 6 is usual.
+/// The same for quadrics that compete with other neighbourhoods: 6 is usual.
 const WELL_AMPLIFIED: f64 = 60.0;
 
 /// The shape operator of the surface at a point, in an orthonormal basis of its tangent plane.
@@ -146,7 +146,7 @@ impl Estimate {
         })
     }
 
-    /// Whether the error expected is more than a small part of the curvature.
+    /// Whether the error expected is no more than a small part of the curvature.
     pub(super) fn is_resolved(&self) -> bool {
         let [xx, xy, yy] = self.shape.tensor;
         self.error <= UNRESOLVED * UNRESOLVED * (xx * xx + 2.0 * xy * xy + yy * yy)

@@ -17,7 +17,6 @@
 
 use fearless_simd::{Level, Simd, dispatch};
 
-use super::VertexCurvature;
 use super::estimate::Shape;
 use super::jet::{LANES, Solver};
 use super::narrow::{BLOCK, Found};
@@ -44,13 +43,25 @@ const NOISY: f64 = 5e-3;
 /// How many times as much a jet of two degrees less may leave over, if it is noise.
 const MOST_GROWTH: f64 = 2.0;
 
-/// What a candidate is expected to be off by.
+/// What a candidate is expected to be off by, lengths in [`unit_of`] the mesh: squares of curvatures of any mesh fit f32.
 #[derive(Debug, Clone, Copy, Default)]
 struct Outlook {
     /// Squared, by what its degree cannot follow.
     bias: [f32; CANDIDATES],
     /// Under unit noise.
     variance: [f32; CANDIDATES],
+}
+
+/// The noise of a mesh, squared, and the length in which outlooks are.
+#[derive(Debug, Clone, Copy)]
+struct Noise {
+    squared: f64,
+    unit: f64,
+}
+
+/// A power of two about as long as an edge: scaling by it rounds nothing.
+fn unit_of(sheets: &Sheets) -> f64 {
+    libm::exp2(libm::floor(libm::log2(sheets.report.mean_edge)))
 }
 
 /// The noise of the vertices, squared, if it shows in the curvature. What a jet leaves over may as well be shape that it cannot follow; but then
@@ -73,6 +84,7 @@ fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
 
 /// Fits every point again, as widely as the surface allows.
 pub(super) fn refit(sheets: &Sheets, noise: f64, found: &mut [Found], exec: &Exec) {
+    let noise = Noise { squared: noise, unit: unit_of(sheets) };
     let mut outlooks = vec![Outlook::default(); found.len()];
     let level = Level::new();
     let blocks = outlooks.chunks_mut(BLOCK).enumerate().collect();
@@ -97,8 +109,9 @@ pub(super) fn refit(sheets: &Sheets, noise: f64, found: &mut [Found], exec: &Exe
 
 /// Bias and variance of every candidate, in a block of points that begins with `first`.
 #[inline(always)]
-fn look_out<S: Simd>(simd: S, fitter: &mut Fitter<'_>, noise: f64, first: usize, outlooks: &mut [Outlook]) {
+fn look_out<S: Simd>(simd: S, fitter: &mut Fitter<'_>, noise: Noise, first: usize, outlooks: &mut [Outlook]) {
     let mut solver = Solver::new(simd);
+    let area = noise.unit * noise.unit;
     for (start, outlooks) in (first..).step_by(LANES).zip(outlooks.chunks_mut(LANES)) {
         let mut guesses = [[[Guess::default(); DEGREES.len()]; WIDTHS.len()]; LANES];
         for (index, width) in WIDTHS.into_iter().enumerate() {
@@ -110,10 +123,10 @@ fn look_out<S: Simd>(simd: S, fitter: &mut Fitter<'_>, noise: f64, first: usize,
                     let bias = if index < STEP {
                         0.0
                     } else {
-                        bias(&guess, &guesses[lane][index - STEP][slot], index, degree, noise)
+                        bias(&guess, &guesses[lane][index - STEP][slot], index, degree, noise.squared)
                     };
-                    outlook.bias[index * DEGREES.len() + slot] = bias as f32;
-                    outlook.variance[index * DEGREES.len() + slot] = guess.variance as f32;
+                    outlook.bias[index * DEGREES.len() + slot] = (bias * area) as f32;
+                    outlook.variance[index * DEGREES.len() + slot] = (guess.variance * area * area) as f32;
                     guesses[lane][index][slot] = guess;
                 }
             }
@@ -121,8 +134,12 @@ fn look_out<S: Simd>(simd: S, fitter: &mut Fitter<'_>, noise: f64, first: usize,
     }
 }
 
-/// The squared bias of the wider of two estimates, as far as their difference tells.
+/// The squared bias of the wider of two estimates, as far as their difference tells: 0 where one of them is not determined, so that a point
+/// says nothing to its surroundings.
 fn bias(wide: &Guess, narrow: &Guess, index: usize, degree: usize, noise: f64) -> f64 {
+    if !(wide.variance.is_finite() && narrow.variance.is_finite()) {
+        return 0.0;
+    }
     let shrunk = WIDTHS[index - STEP] as f64 / WIDTHS[index] as f64;
     // The bias of degrees 2 and 3 grows with the square of the radius, that of 4 with its fourth power.
     let part = if degree < 4 { 1.0 - shrunk } else { 1.0 - shrunk * shrunk };
@@ -157,16 +174,17 @@ fn average(sheets: &Sheets, outlooks: &mut [Outlook], exec: &Exec) {
 fn take_best<S: Simd>(
     simd: S,
     fitter: &mut Fitter<'_>,
-    noise: f64,
+    noise: Noise,
     first: usize,
     found: &mut [Found],
     outlooks: &[Outlook],
 ) {
     let mut solver = Solver::new(simd);
+    let area = noise.unit * noise.unit;
     let mut chosen: Vec<(usize, Choice)> = Vec::new();
     for (index, (found, outlook)) in found.iter().zip(outlooks).enumerate() {
-        let choice = outlook.best(noise);
-        if choice.error < noise * found.variance {
+        let choice = outlook.best(noise.squared / area);
+        if choice.error < noise.squared * found.variance * area {
             chosen.push((first + index, choice));
         }
     }
@@ -175,8 +193,7 @@ fn take_best<S: Simd>(
         let patches = fitter.fit::<_, 4>(simd, &mut solver, &reaches);
         for (&(point, choice), patch) in chosen.iter().zip(&patches) {
             let shape = Shape::of(patch, choice.degree);
-            let curvature: VertexCurvature = fitter.vertex(point, &patch.frame, &shape);
-            found[point - first].curvature = curvature;
+            found[point - first].curvature = fitter.vertex(point, &patch.frame, &shape);
         }
     }
 }
@@ -210,7 +227,7 @@ fn silence_outliers(sheets: &Sheets, found: &mut [Found], exec: &Exec) {
     });
 }
 
-/// A candidate and its expected squared error.
+/// A candidate and its expected squared error, lengths as in [`Outlook`].
 #[derive(Debug, Clone, Copy)]
 struct Choice {
     width: usize,

@@ -1,5 +1,6 @@
 //! Vertices that lie off the surface.
 
+use barchan_field::Mesh;
 use barchan_field::surfaces::{ParametricSurface, Pattern, with_vertex_noise};
 
 use crate::support::{Case, baked};
@@ -21,5 +22,22 @@ fn a_tenth_of_an_edge() {
         };
         assert!(errors.rms <= most, "{}: {errors:?}", surface.name());
         assert!(errors.max <= tail * errors.rms, "{}: {errors:?}", surface.name());
+    }
+}
+
+#[test]
+fn noise_is_told_at_any_scale() {
+    let clean = Case::example("ellipsoid", Pattern::Random, 1000);
+    let mesh = with_vertex_noise(&clean.mesh, 0.005, 5).unwrap();
+    let found = baked(&mesh);
+    assert!(found.noise > 0.0);
+    for scale in [2.0_f64.powi(40), 2.0_f64.powi(-40)] {
+        let positions = mesh.positions().iter().map(|&position| position * scale).collect();
+        let scaled = baked(&Mesh::new(positions, mesh.triangles().to_vec()).unwrap());
+        for (scaled, found) in scaled.vertices.iter().zip(&found.vertices) {
+            for (scaled, found) in scaled.principal.into_iter().zip(found.principal) {
+                assert!((scaled * scale - found).abs() < 1e-9, "{scale:e}: {} instead of {found}", scaled * scale);
+            }
+        }
     }
 }
