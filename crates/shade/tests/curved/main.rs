@@ -1,5 +1,8 @@
 //! Shading of relief on curved surfaces, through the crate's public face and encoded tables.
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod bases;
 mod equations;
 mod forms;

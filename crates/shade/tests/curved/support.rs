@@ -2,8 +2,7 @@
 
 use barchan_asset::{
     CurvatureSweep, DistanceTable, DistanceView, Encoding, HeightTable, HeightView, HorizonTable, HorizonView,
-    LengthUnit, MAX_ELEVATION, SweptDistanceTable, SweptDistanceView, SweptHorizonTable, SweptHorizonView, TableGrid,
-    TextureTable, Wrap,
+    MAX_ELEVATION, SweptDistanceTable, SweptDistanceView, SweptHorizonTable, SweptHorizonView, TextureTable,
 };
 use barchan_bakers::Exec;
 use barchan_bakers::horizon::{Azimuths, BentLayer, HorizonParams, Method, bake_bent};
@@ -13,12 +12,12 @@ use barchan_field::{Edge, Grid, HeightField, Shape, Spacing};
 use barchan_shade::{CurvedShadow, Sphere, SphereChart, Surface};
 use glam::{DVec2, DVec3};
 
+use crate::common::{self, table_grid};
+pub(crate) use crate::common::{assert_near, noise};
+
 /// A field of square texels of length 1.
-pub(crate) fn field((width, height): (u32, u32), edge: Edge, at: impl Fn(u32, u32) -> f32) -> HeightField {
-    let at = &at;
-    let samples = (0..height).flat_map(|row| (0..width).map(move |column| at(column, row))).collect();
-    let unit = barchan_field::LengthUnit::Metre;
-    HeightField::new(Grid { width, height, spacing: Spacing::square(1.0).unwrap(), unit, edge }, samples).unwrap()
+pub(crate) fn field(size: (u32, u32), edge: Edge, at: impl Fn(u32, u32) -> f32) -> HeightField {
+    common::field(size, (1.0, 1.0), edge, at)
 }
 
 /// A shape over a square tile of texels of length 1, its lowest texel at height 0.
@@ -28,22 +27,6 @@ pub(crate) fn shape(shape: Shape, size: u32) -> HeightField {
     let field = shape.rasterize(grid).unwrap();
     let lowest = field.range().0;
     HeightField::new(grid, field.samples().iter().map(|height| height - lowest).collect()).unwrap()
-}
-
-pub(crate) fn table_grid(grid: &Grid) -> TableGrid {
-    let wrap = match grid.edge {
-        Edge::Wrap => Wrap::Repeat,
-        Edge::Clamp => Wrap::Clamp,
-    };
-    TableGrid {
-        width: grid.width,
-        height: grid.height,
-        spacing_u: grid.spacing.u(),
-        spacing_v: grid.spacing.v(),
-        length_unit: LengthUnit::Metre,
-        wrap_u: wrap,
-        wrap_v: wrap,
-    }
 }
 
 fn heights(field: &HeightField) -> TextureTable {
@@ -158,19 +141,4 @@ pub(crate) fn ball(field: &HeightField, radius: f64, chart: SphereChart) -> Sphe
 pub(crate) fn towards(azimuth: f64, elevation: f64) -> DVec3 {
     let (azimuth, elevation) = (azimuth.to_radians(), elevation.to_radians());
     DVec3::new(elevation.sin(), elevation.cos() * azimuth.cos(), elevation.cos() * azimuth.sin())
-}
-
-#[track_caller]
-pub(crate) fn assert_near(found: f64, expected: f64, tolerance: f64) {
-    assert!((found - expected).abs() <= tolerance, "{found} instead of {expected}, off by {:e}", found - expected);
-}
-
-/// Reproducible noise in [0, 1) for a texel.
-pub(crate) fn noise(seed: u32, column: u32, row: u32) -> f32 {
-    let mut hash = seed.wrapping_mul(0x9E37_79B9) ^ column.wrapping_mul(0x85EB_CA6B) ^ row.wrapping_mul(0xC2B2_AE35);
-    for _ in 0..2 {
-        hash = (hash ^ (hash >> 15)).wrapping_mul(0x2C1B_3C6D);
-        hash = (hash ^ (hash >> 12)).wrapping_mul(0x297A_2D39);
-    }
-    (hash >> 8) as f32 / (1 << 24) as f32
 }
