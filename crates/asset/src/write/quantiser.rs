@@ -31,6 +31,8 @@ pub(super) struct Quantiser {
     pub(super) bias: f32,
     /// The greatest |t| there can be.
     largest: f32,
+    /// Whether t is stored without any error.
+    exact: bool,
 }
 
 impl Quantiser {
@@ -50,12 +52,12 @@ impl Quantiser {
             min = min.next_down();
         }
         let largest = min.abs().max(max.abs());
-        let stored_as = |scale, bias| Self { component, transfer, rounding, scale, bias, largest };
+        let stored_as = |scale, bias| Self { component, transfer, rounding, scale, bias, largest, exact: false };
         if component == Component::Float32 {
-            return Ok(stored_as(1.0, 0.0));
+            return Ok(Self { exact: true, ..stored_as(1.0, 0.0) });
         }
         if min == max {
-            return Ok(stored_as(0.0, min));
+            return Ok(Self { exact: transfer == Transfer::Identity, ..stored_as(0.0, min) });
         }
         let (low, high) = (f64::from(min), f64::from(max));
         let bias = if component == Component::Unorm8 { min } else { (0.5 * (low + high)) as f32 };
@@ -72,8 +74,14 @@ impl Quantiser {
                 scale = scale.min(f32_at_most(centre - f64::from(*legal.start())));
             }
         }
-        let quantiser = stored_as(scale, bias);
-        if rounding == Rounding::Up && !quantiser.value(1.0).is_finite() {
+        let mut quantiser = stored_as(scale, bias);
+        // The difference above was rounded: the end to which values are rounded must still have a number on its far side.
+        if rounding == Rounding::Up && quantiser.value(1.0) < *bounds.end()
+            || rounding == Rounding::Down && component == Component::Float16 && quantiser.value(-1.0) > *bounds.start()
+        {
+            quantiser.scale = quantiser.scale.next_up();
+        }
+        if rounding == Rounding::Up && quantiser.value(1.0).is_infinite() {
             return Err(EncodeError::TooWide { min, max, encoding: encoding.name() });
         }
         Ok(quantiser)
@@ -82,7 +90,8 @@ impl Quantiser {
     /// The quantiser of depths in [0, 1] that are stored as they are, whatever scale and bias of the table.
     pub(super) fn plain(encoding: Encoding, facts: &TableFacts) -> Self {
         let (component, rounding) = (encoding.format(facts.semantic()).component(), facts.rounding());
-        Self { component, transfer: Transfer::Identity, rounding, scale: 1.0, bias: 0.0, largest: 1.0 }
+        let exact = component == Component::Float32;
+        Self { component, transfer: Transfer::Identity, rounding, scale: 1.0, bias: 0.0, largest: 1.0, exact }
     }
 
     /// What a reader makes of a stored number, by exactly the arithmetic of [`crate::TableView`].
@@ -110,8 +119,8 @@ impl Quantiser {
 
     fn error_before_transfer(&self) -> f64 {
         let step = match self.component {
-            Component::Float32 => return 0.0,
-            _ if self.scale == 0.0 && self.transfer == Transfer::Identity => return 0.0,
+            _ if self.exact => return 0.0,
+            Component::Float32 => 0.0,
             Component::Unorm8 => 1.0 / 255.0,
             Component::Float16 => power_of_two(-11),
         };
