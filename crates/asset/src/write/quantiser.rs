@@ -46,11 +46,13 @@ impl Quantiser {
         let (component, transfer) = (encoding.format(semantic).component(), encoding.transfer(semantic));
         let legal = legal_before(transfer, &facts.legal());
         // A zero is stored as +0, whichever of the two zeros came first.
-        let [mut min, max] = [*bounds.start(), *bounds.end()]
-            .map(|value| codes::before_transfer(transfer, value).clamp(*legal.start(), *legal.end()) + 0.0);
-        while rounding == Rounding::Down && transfer.value(min) > *bounds.start() {
-            min = min.next_down();
-        }
+        let [min, max] = [*bounds.start(), *bounds.end()].map(|value| {
+            let mut t = codes::before_transfer(transfer, value).clamp(*legal.start(), *legal.end()) + 0.0;
+            while rounding == Rounding::Down && transfer.value(t) > value {
+                t = t.next_down();
+            }
+            t
+        });
         let largest = min.abs().max(max.abs());
         let stored_as = |scale, bias| Self { component, transfer, rounding, scale, bias, largest, exact: false };
         if component == Component::Float32 {
@@ -74,17 +76,24 @@ impl Quantiser {
                 scale = scale.min(f32_at_most(centre - f64::from(*legal.start())));
             }
         }
-        let mut quantiser = stored_as(scale, bias);
-        // The difference above was rounded: the end to which values are rounded must still have a number on its far side.
-        if rounding == Rounding::Up && quantiser.value(1.0) < *bounds.end()
-            || rounding == Rounding::Down && component == Component::Float16 && quantiser.value(-1.0) > *bounds.start()
-        {
-            quantiser.scale = quantiser.scale.next_up();
-        }
+        let quantiser = stored_as(scale, bias).with_room(bounds);
         if rounding == Rounding::Up && quantiser.value(1.0).is_infinite() {
             return Err(EncodeError::TooWide { min, max, encoding: encoding.name() });
         }
         Ok(quantiser)
+    }
+
+    /// Mends what rounding the scale upwards did to the ends of `bounds`: on the side to which values are rounded there
+    /// must be a number for the end, and bytes that are rounded down should not lose their last one to it.
+    fn with_room(self, bounds: &RangeInclusive<f32>) -> Self {
+        let (wider, narrower) = (self.scale.next_up(), self.scale.next_down());
+        let scale = match (self.rounding, self.component) {
+            (Rounding::Up, _) if self.value(1.0) < *bounds.end() => wider,
+            (Rounding::Down, Component::Float16) if self.value(-1.0) > *bounds.start() => wider,
+            (Rounding::Down, Component::Unorm8) if self.value(1.0) > *bounds.end() => narrower,
+            _ => self.scale,
+        };
+        Self { scale, ..self }
     }
 
     /// The quantiser of depths in [0, 1] that are stored as they are, whatever scale and bias of the table.
