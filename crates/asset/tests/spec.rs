@@ -39,6 +39,7 @@ fn the_container_page_names_every_kind_bound_and_vector() {
 fn the_worked_examples_are_the_published_vectors() {
     assert!(hex_lines("barchan-v1.md", "height-u8-repeat-clamp") >= 20);
     assert_eq!(hex_lines("curvature-v1.md", "curvature-principal"), 4);
+    assert_eq!(hex_lines("hemisphere-v1.md", "hemisphere-arc"), 16);
 }
 
 /// How many hex lines a page has; they are the bytes of that vector.
