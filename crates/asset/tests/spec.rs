@@ -4,7 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use barchan_asset::{
-    CurvatureColumn, FINDINGS, MAX_EXTENT, MAX_LAYERS, MAX_SECTIONS, SectionKind, VertexFlags, vectors,
+    CurvatureColumn, DepthMode, FINDINGS, MAX_EXTENT, MAX_LAYERS, MAX_SECTIONS, RingSpacing, SectionKind, VertexFlags,
+    vectors,
 };
 
 fn page(name: &str) -> String {
@@ -56,6 +57,16 @@ fn hex_lines(name: &str, vector: &str) -> usize {
         lines += 1;
     }
     lines
+}
+
+#[test]
+fn the_hemisphere_page_lists_every_ring_spacing_and_depth_mode() {
+    let page = page("hemisphere-v1.md");
+    let spacings = [RingSpacing::EqualAngles, RingSpacing::SquaredTangents].map(|s| (s.number(), s.name()));
+    let modes = [DepthMode::Nearest, DepthMode::Conservative].map(|mode| (mode.number(), mode.name()));
+    for (number, name) in spacings.into_iter().chain(modes) {
+        assert!(page.contains(&format!("| {number} | {} |", name.replace('_', " "))), "{name}");
+    }
 }
 
 #[test]

@@ -127,8 +127,10 @@ impl Quantiser {
     }
 
     fn error_before_transfer(&self) -> f64 {
+        if self.exact {
+            return 0.0;
+        }
         let step = match self.component {
-            _ if self.exact => return 0.0,
             Component::Float32 => 0.0,
             Component::Unorm8 => 1.0 / 255.0,
             Component::Float16 => power_of_two(-11),
