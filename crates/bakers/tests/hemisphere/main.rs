@@ -1,4 +1,6 @@
 //! What a hemisphere depth map promises, through the crate's public face.
 
 mod agreement;
+mod conservative;
+mod overshoots;
 mod support;
