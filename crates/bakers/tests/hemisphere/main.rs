@@ -2,8 +2,10 @@
 
 mod agreement;
 mod closed_forms;
+mod conservative;
 mod extremes;
 mod invariance;
+mod overshoots;
 mod reduction;
 mod reference;
 mod refusals;
