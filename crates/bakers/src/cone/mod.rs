@@ -52,7 +52,7 @@
 //!
 //! The paper samples rays through all texels and follows each to its first exit; every exit is the first one behind some
 //! point of the surface, so that in the limit both are the same. Of the bilinear cell D = a + b u + c v + t u v, in depths
-//! and lengths from A, the exits are the points t u v ≥ a, as (u, v) · ∇D ≥ D says that the ray goes out; no ray need be
+//! and lengths from A, the exits are the points t u v > a, as (u, v) · ∇D > D says that the ray goes out; no ray need be
 //! followed. The rest is the search of the strict cones with P a single point.
 //!
 //! What relaxed cones do **not** promise: they are made for rays from A. A ray that passes above the texel lower than A,

@@ -95,7 +95,8 @@ impl Foot<'_> {
 /// Where the rays that start at depth 0 above the common origin of places leave the relief through a cell.
 ///
 /// In depths below the top the cell is D = a + b u + c v + t u v. A ray leaves the relief where D grows faster along it
-/// than its own depth does: where (u, v) · ∇D ≥ D, that is t u v ≥ a.
+/// than its own depth does: where (u, v) · ∇D > D, that is t u v > a. Along a level top at depth 0 no ray leaves; it leaves
+/// at the far brink.
 struct Exits {
     twist: f64,
     /// The depth of the cell's surface continued to the origin.
@@ -113,6 +114,6 @@ impl Exits {
     }
 
     fn are_at(&self, u: f64, v: f64) -> bool {
-        self.twist * u * v >= self.depth_at_origin
+        self.twist * u * v > self.depth_at_origin
     }
 }
