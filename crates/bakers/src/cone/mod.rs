@@ -63,8 +63,8 @@
 //! # Conventions
 //!
 //! Ratios are pure numbers, rounded down, and slopes lengths over lengths: texels need not be square. No ratio exceeds
-//! the tile's diagonal / the relief's thickness, nor [`MAX_RATIO`], which all texels of relief without thickness have; on
-//! the highest plateau, where no cone ends, it is this that is stored. A wall too steep for f32 has ratio 0. Where r is
+//! the tile's diagonal / the relief's thickness, nor [`MAX_RATIO`], which is the ratio of
+//! relief without thickness, but for rounding; on the highest plateau, where no cone ends, it is this that is stored. A wall too steep for f32 has ratio 0. Where r is
 //! not capped, what is stored is within 1/64 of what the corners of halved cells prove; against the true infimum only
 //! the bound of the nine nearest cells is wider than that.
 

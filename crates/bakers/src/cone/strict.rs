@@ -18,15 +18,11 @@ pub(super) fn slopes(ground: &Ground, mip: &MaximumMip, least: f64, exec: &Exec)
     let [columns, rows] = ground.cells();
     let mut of_cells: Vec<f64> = zeros("the slopes of a cone map", u64::from(columns) * u64::from(rows))?;
     let ascent = Ascent::new(mip, ground, 0.5);
-    let greatest = greatest_gradient(ground);
     let bands = of_cells.chunks_mut(columns as usize).enumerate().collect();
     exec.for_each_with(bands, Vec::new, |squares: &mut Vec<Square>, (row, slopes): (usize, &mut [f64])| {
         for (column, slope) in slopes.iter_mut().enumerate() {
             let mut foot = Foot::new(ground, [column as i64, row as i64], least);
-            // No way across the relief is steeper on the whole than anywhere on it.
-            if !foot.steepest.settle(Bounds { at_least: foot.steepest.0, at_most: greatest }, false) {
-                ascent.search(&mut foot, squares);
-            }
+            ascent.search(&mut foot, squares);
             *slope = foot.steepest.0;
         }
     });
@@ -42,12 +38,6 @@ pub(super) fn slopes(ground: &Ground, mip: &MaximumMip, least: f64, exec: &Exec)
         });
     }
     Ok(of_texels)
-}
-
-fn greatest_gradient(ground: &Ground) -> f64 {
-    let [columns, rows] = ground.cells().map(i64::from);
-    let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| [column, row]));
-    cells.fold(0.0, |greatest, cell| greatest.max(ground.cell(cell, cell).steepest([0, 0])))
 }
 
 /// A cell as the foot of ascents.

@@ -38,9 +38,10 @@ fn misses(field: &HeightField, map: &ConeMap, ray: &Ray) -> bool {
     false
 }
 
-/// Of 100 rays at up to 80° from the normal. Nothing is promised; this is what to expect, and it is not nothing.
+/// Of 4000 rays at up to 80° from the normal; found: spikes 150, walls 113, noise 205, smooth 2, ramp 27. Nothing is
+/// promised, and a map that never missed would be needlessly narrow.
 #[test]
-fn some_rays_step_through_the_relief() {
+fn a_few_in_a_hundred_rays_step_through_the_relief() {
     let mut random = Random(4);
     let mut missed = [0; 5];
     for (relief, field) in fields((46, 34)) {
@@ -48,8 +49,6 @@ fn some_rays_step_through_the_relief() {
         let rays = (0..1000).map(|_| Ray::random(&map, &mut random));
         missed[relief as usize] += rays.filter(|ray| misses(&field, &map, ray)).count();
     }
-    println!("{missed:?}");
-    for (relief, missed) in Relief::ALL.into_iter().zip(missed) {
-        println!("{relief:?} {missed}");
-    }
+    assert!(missed.iter().all(|&rays| rays < 4000 / 12), "{missed:?}");
+    assert!(missed.iter().sum::<usize>() > 0);
 }
