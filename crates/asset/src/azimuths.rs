@@ -117,6 +117,21 @@ impl Azimuths {
         (nearer_end, nearer_end, 0.0)
     }
 
+    /// The azimuth nearest to any finite number of radians. None further than half a step beyond the ends of an arc, and
+    /// for what is not a number.
+    #[must_use]
+    pub fn nearest(&self, azimuth_radians: f64) -> Option<u32> {
+        let (offset, span) = (self.offset(azimuth_radians), self.span());
+        let last = self.count.checked_sub(1).filter(|_| azimuth_radians.is_finite())?;
+        if self.is_full_circle() || offset < span {
+            // As on a circle the last half step belongs to the first azimuth again.
+            return Some((offset / self.step + 0.5) as u32 % self.count);
+        }
+        let (beyond_last, before_first) = (offset - span, TAU - offset);
+        let (nearer_end, distance) = if beyond_last <= before_first { (last, beyond_last) } else { (0, before_first) };
+        (distance <= 0.5 * self.step).then_some(nearer_end)
+    }
+
     /// Counter-clockwise from the first azimuth, in [0, 2π).
     fn offset(&self, azimuth_radians: f64) -> f64 {
         let offset = (azimuth_radians - self.first) % TAU;

@@ -50,6 +50,7 @@ mod descriptor;
 mod entry;
 mod error;
 mod half;
+mod hemisphere;
 mod kind;
 mod limits;
 #[cfg(feature = "zstd")]
@@ -76,6 +77,7 @@ pub use curvature::{
 };
 pub use descriptor::{DescriptorError, MAX_EXTENT, MAX_LAYERS, SECTION_VERSION, TextureDescriptor};
 pub use error::{OpenError, SectionFault};
+pub use hemisphere::{DepthMode, HemisphereDirections, ReliefRange, RingSpacing};
 pub use kind::SectionKind;
 pub use limits::Limits;
 #[cfg(feature = "zstd")]
