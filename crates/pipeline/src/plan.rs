@@ -4,6 +4,7 @@ use barchan_asset::Encoding;
 use barchan_bakers::horizon::Azimuths;
 use barchan_bakers::sky::MIN_SKY_DIRECTIONS;
 use barchan_bakers::swept::SweptParams;
+use barchan_field::Grid;
 
 use crate::{
     HemisphereMode, HorizonRecipe, PipelineError, Recipe, ReliefMapping, ReliefSearch, Scene, Table,
@@ -102,6 +103,12 @@ impl Plan {
         self.recipe.mesh.is_some() && self.curvature().is_none() && self.swept_table().is_some()
     }
 
+    /// From where rays come: what the scene says of relief mapping, or what is taken where nobody says.
+    #[must_use]
+    pub fn relief_mapping(&self) -> ReliefMapping {
+        self.recipe.scene.and_then(|scene| scene.relief_mapping).unwrap_or_default()
+    }
+
     fn swept_table(&self) -> Option<Table> {
         Table::ALL.into_iter().find(|&table| table.is_swept() && self.bakes(table))
     }
@@ -120,6 +127,28 @@ impl Plan {
     pub(crate) fn left_out(&self, table: Table) -> Option<&'static str> {
         let planned = self.tables.iter().find(|planned| planned.table == table)?;
         (planned.decision == Decision::LeaveOut).then_some(planned.reason)
+    }
+
+    /// How many texels a texture has or would have for heights on a grid, all layers and levels together; of a swept table as many
+    /// as are certain.
+    pub(crate) fn texels(&self, table: Table, grid: &Grid) -> u64 {
+        let Recipe { horizon, curved, hemisphere, .. } = &self.recipe;
+        let (texels, directions) = (grid.texels() as u64, u64::from(horizon.directions));
+        match table {
+            Table::Horizon | Table::Distance => texels * directions,
+            table if table.is_swept() => texels * directions * u64::from(curved.points.unwrap_or(2).saturating_sub(1)),
+            Table::Hemisphere => {
+                let (width, height) = hemisphere.size_for(grid.width, grid.height);
+                let factors = [width, height, hemisphere.rings, hemisphere.azimuths];
+                factors.into_iter().map(u64::from).fold(1, u64::saturating_mul)
+            }
+            Table::MaximumMip => {
+                let extent = |texels: u32, level| u64::from(texels >> level).max(1);
+                let levels = 0..=grid.width.max(grid.height).ilog2();
+                levels.map(|level| extent(grid.width, level) * extent(grid.height, level)).sum()
+            }
+            _ => texels,
+        }
     }
 
     /// How a table is stored, or would be.

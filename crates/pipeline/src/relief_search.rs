@@ -14,14 +14,13 @@ use barchan_bakers::hemisphere::HemisphereBaker;
 use barchan_bakers::{Exec, maximum_mip};
 use barchan_field::HeightField;
 
-use crate::bake::Run;
 use crate::error::refused;
 use crate::layout::table_grid;
 use crate::search_params::{hemisphere_params, refused_hemisphere};
 use crate::search_provenance::{HemisphereProvenance, ReliefSearchProvenance};
 use crate::sink::Sink;
 use crate::start_accuracy::StartSample;
-use crate::{PipelineError, Plan, Table};
+use crate::{PipelineError, Plan, Run, Table};
 
 /// The heights that a reader will decode.
 pub(crate) fn as_stored(field: &HeightField, heights: &TextureTable) -> Result<HeightField, PipelineError> {

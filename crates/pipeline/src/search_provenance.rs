@@ -55,12 +55,12 @@ pub struct HemisphereProvenance {
     pub arc: Option<(f64, f64)>,
     /// Texels along u and v.
     pub size: (u32, u32),
-    /// Measured on rays; `None` where following even a few would take too long.
-    pub accuracy: Option<StartAccuracy>,
+    /// Measured on rays.
+    pub accuracy: StartAccuracy,
 }
 
 impl HemisphereProvenance {
-    pub(crate) fn new(plan: &Plan, params: &HemisphereParams, accuracy: Option<StartAccuracy>) -> Self {
+    pub(crate) fn new(plan: &Plan, params: &HemisphereParams, accuracy: StartAccuracy) -> Self {
         let (Recipe { hemisphere, .. }, mapping) = (&plan.recipe, plan.relief_mapping());
         Self {
             algorithm: hemisphere::ALGORITHM.to_owned(),

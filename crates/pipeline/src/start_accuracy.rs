@@ -2,14 +2,12 @@
 
 use barchan_bakers::hemisphere::{HemisphereParams, reference};
 use barchan_field::HeightField;
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::scramble;
 
-/// Rays that are followed where that is quick.
-const RAYS: f64 = 4096.0;
-
-/// The reference crosses this many cells at most, all rays together.
+/// The reference crosses about this many cells at most, all rays together.
 const CELL_BUDGET: f64 = 4e6;
 
 /// Where a start is beyond the first hit by no more of the relief's thickness, that may be the rounding of both.
@@ -36,7 +34,7 @@ pub struct StartAccuracy {
 pub(crate) struct StartSample {
     /// By layer.
     rays: Vec<SampledRay>,
-    /// Columns and rows of the table for those of the heights.
+    /// Texels of the table to one of the heights, along u and v.
     texels_per_texel: (f64, f64),
 }
 
@@ -47,7 +45,7 @@ struct SampledRay {
     /// Where it enters: texels of the heights from the centre of texel (0, 0), rows downwards.
     entry: (f64, f64),
     /// The unit vector towards the eye or the light.
-    towards: [f64; 3],
+    towards: DVec3,
     start: f64,
 }
 
@@ -56,8 +54,8 @@ impl StartSample {
         let grid = surface.grid();
         let mut rays: Vec<_> = (0..ray_count(surface, params)).map(|index| ray(surface, params, index)).collect();
         rays.sort_by_key(|ray| ray.layer);
-        let fewer = |texels: u32, fewer: u32| f64::from(fewer) / f64::from(texels);
-        Self { rays, texels_per_texel: (fewer(grid.width, params.width), fewer(grid.height, params.height)) }
+        let share = |of_table: u32, of_heights: u32| f64::from(of_table) / f64::from(of_heights);
+        Self { rays, texels_per_texel: (share(params.width, grid.width), share(params.height, grid.height)) }
     }
 
     /// Reads the starts of a layer: what a reader will decode at a column and a row.
@@ -70,8 +68,8 @@ impl StartSample {
         }
     }
 
-    /// Follows the rays; `None` if there are none.
-    pub(crate) fn measure(&self, surface: &HeightField) -> Option<StartAccuracy> {
+    /// Follows the rays.
+    pub(crate) fn measure(&self, surface: &HeightField) -> StartAccuracy {
         let count = self.rays.len() as f64;
         let (mut starts, mut hits, mut beyond, mut beyond_max) = (0.0, 0.0, 0_u64, 0.0_f64);
         for &SampledRay { entry: (x, y), towards, start, .. } in &self.rays {
@@ -83,23 +81,22 @@ impl StartSample {
                 beyond_max = beyond_max.max(start - hit);
             }
         }
-        (!self.rays.is_empty()).then(|| StartAccuracy {
+        StartAccuracy {
             samples: self.rays.len() as u64,
             mean_start: starts / count,
             mean_hit: hits / count,
             beyond_share: beyond as f64 / count,
             beyond_max,
-        })
+        }
     }
 }
 
-/// No more rays than the reference can follow in its budget, at worst.
 fn ray_count(surface: &HeightField, params: &HemisphereParams) -> u64 {
     let (lowest, highest) = surface.range();
     let spacing = surface.grid().spacing;
     let reach = (f64::from(highest) - f64::from(lowest)) * params.directions.tangent_of_edge(params.directions.rings);
     let cells = 1.0 + reach / spacing.u() + reach / spacing.v();
-    (CELL_BUDGET / cells).min(RAYS) as u64
+    (CELL_BUDGET / cells).clamp(64.0, 4096.0) as u64
 }
 
 /// A ray of the sample, by its number.
@@ -116,7 +113,7 @@ fn ray(surface: &HeightField, params: &HemisphereParams, index: u64) -> SampledR
     SampledRay {
         layer,
         entry: (random(3) * f64::from(grid.width) - 0.5, random(4) * f64::from(grid.height) - 0.5),
-        towards: [horizontal * libm::cos(azimuth), horizontal * libm::sin(azimuth), height],
+        towards: DVec3::new(horizontal * libm::cos(azimuth), horizontal * libm::sin(azimuth), height),
         start: 0.0,
     }
 }
