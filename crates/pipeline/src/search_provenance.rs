@@ -1,7 +1,8 @@
 //! What an asset says of how its tables for relief search were baked, and of how good they are.
 
+use barchan_bakers::cone::ConeKind;
 use barchan_bakers::hemisphere::HemisphereParams;
-use barchan_bakers::{cone, hemisphere, maximum_mip};
+use barchan_bakers::maximum_mip;
 use serde::{Deserialize, Serialize};
 
 use crate::start_accuracy::StartAccuracy;
@@ -29,8 +30,8 @@ impl ReliefSearchProvenance {
         let ran = |table, algorithm: &str| plan.bakes(table).then(|| algorithm.to_owned());
         Self {
             hemisphere,
-            cone_map: ran(Table::ConeMap, cone::ALGORITHM),
-            relaxed_cone_map: ran(Table::RelaxedConeMap, cone::RELAXED_ALGORITHM),
+            cone_map: ran(Table::ConeMap, ConeKind::Strict.algorithm()),
+            relaxed_cone_map: ran(Table::RelaxedConeMap, ConeKind::Relaxed.algorithm()),
             maximum_mip: ran(Table::MaximumMip, maximum_mip::ALGORITHM),
         }
     }
@@ -63,7 +64,7 @@ impl HemisphereProvenance {
     pub(crate) fn new(plan: &Plan, params: &HemisphereParams, accuracy: StartAccuracy) -> Self {
         let (Recipe { hemisphere, .. }, mapping) = (&plan.recipe, plan.relief_mapping());
         Self {
-            algorithm: hemisphere::ALGORITHM.to_owned(),
+            algorithm: params.algorithm().to_owned(),
             mode: hemisphere.mode,
             rings: hemisphere.rings,
             azimuths: hemisphere.azimuths,
