@@ -116,8 +116,8 @@ pub(crate) struct LayerCounts {
 /// ` × 32 directions`, ` × 2 points × 32 directions`, ` × 32 rings × 16 azimuths`, ` × 9 levels`, or nothing.
 pub(crate) fn layer_words(counts: LayerCounts) -> String {
     match counts {
-        LayerCounts { mips: 2.., mips, .. } => format!(" × {mips} levels"),
-        LayerCounts { rings: 1.., rings, layers, .. } => format!(" × {rings} rings × {} azimuths", layers / rings),
+        LayerCounts { mips: mips @ 2.., .. } => format!(" × {mips} levels"),
+        LayerCounts { rings: rings @ 1.., layers, .. } => format!(" × {rings} rings × {} azimuths", layers / rings),
         LayerCounts { layers: 1, candidates: 0, .. } => String::new(),
         LayerCounts { layers, candidates: 0, .. } => format!(" × {layers} directions"),
         LayerCounts { layers, candidates: 1, .. } => format!(" × 1 further point × {layers} directions"),
