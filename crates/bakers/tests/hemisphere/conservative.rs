@@ -50,7 +50,7 @@ fn the_bound_is_near_the_least_hit_of_many_rays() {
     let field = fractal(128);
     let map = conservative(&field, directions(12, 16, 80.0), (16, 16));
     let (mut start, mut least, mut count) = (0.0, 0.0, 0.0);
-    for sample in 0..150 {
+    for sample in 0..80 {
         let layer = sample * 37 % map.params.directions.layers();
         let (column, row) = (sample * 7 % 16, sample * 11 / 3 % 16);
         start += f64::from(map.layer(layer)[(row * 16 + column) as usize]);
@@ -58,7 +58,6 @@ fn the_bound_is_near_the_least_hit_of_many_rays() {
         count += 1.0;
     }
     let (start, least) = (start / count, least / count);
-    println!("start {start} least {least}");
     assert!(start <= least && start > 0.3, "{start} of {least}");
     assert!(least - start < 0.03, "{start} of {least}");
 }
@@ -105,9 +104,9 @@ fn a_smaller_table_is_never_deeper() {
 
 #[test]
 fn no_overshoot_on_deep_narrow_and_tiny_reliefs() {
-    for (size, target) in [((1, 1), (1, 1)), ((2, 1), (1, 1)), ((3, 130), (2, 7)), ((70, 2), (70, 1)), ((9, 9), (4, 9))]
+    for (size, target) in [((1, 1), (1, 1)), ((2, 1), (1, 1)), ((3, 40), (2, 7)), ((40, 2), (40, 1)), ((9, 9), (4, 9))]
     {
-        for (edge, thickness) in [(Edge::Wrap, 300.0), (Edge::Clamp, 300.0), (Edge::Wrap, 4.0), (Edge::Clamp, 1e-3)] {
+        for (edge, thickness) in [(Edge::Wrap, 100.0), (Edge::Clamp, 100.0), (Edge::Wrap, 4.0), (Edge::Clamp, 1e-3)] {
             let deep = field(size, edge, |column, row| thickness * noise(9, column, row).powi(2));
             let map = conservative(&deep, directions(4, 5, 85.0), target);
             for layer in 0..20 {
