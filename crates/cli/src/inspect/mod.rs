@@ -1,14 +1,16 @@
 //! `barchan inspect`: what a file holds.
 
-use barchan_asset::{Asset, CurvatureDescriptor, CurvatureView, Section, SectionKind, TextureDescriptor, VertexFlags};
-use barchan_pipeline::{
-    CurvatureProvenance, EncodingProvenance, FlagCount, HorizonProvenance, MeshProvenance, Provenance,
+mod provenance;
+
+use barchan_asset::{
+    Asset, CurvatureDescriptor, CurvatureView, DepthMode, Section, SectionKind, TextureDescriptor, VertexFlags,
 };
+use barchan_pipeline::FlagCount;
 use serde::Serialize;
 
 use crate::args::FileArguments;
 use crate::asset_file::AssetFile;
-use crate::bake::layer_words;
+use crate::bake::{LayerCounts, layer_words};
 use crate::console::{self, bytes, number, value_in};
 use crate::failure::{ExitStatus, Failure};
 use crate::mesh_words;
@@ -95,8 +97,29 @@ struct TableReport {
     candidates: Option<u32>,
     /// The curvatures a swept table serves, in 1 / length unit.
     curvature: Option<(f64, f64)>,
+    /// Of a hemisphere table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    directions: Option<DirectionsReport>,
+    /// The heights of depth 0 and of depth 1, in the length unit, where values are depths.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    relief: Option<ReliefReport>,
     #[serde(skip)]
     descriptor: TextureDescriptor,
+}
+
+#[derive(Serialize)]
+struct DirectionsReport {
+    rings: u32,
+    azimuths: u32,
+    ring_spacing: &'static str,
+    max_polar_degrees: f64,
+    depth_mode: Option<&'static str>,
+}
+
+#[derive(Serialize)]
+struct ReliefReport {
+    top: f64,
+    thickness: f64,
 }
 
 pub(crate) fn run(arguments: &FileArguments, json: bool) -> Result<ExitStatus, Failure> {
@@ -167,6 +190,14 @@ fn table_report(descriptor: TextureDescriptor) -> TableReport {
         arc_degrees: console::covered_arc(&descriptor),
         candidates: descriptor.semantic.is_swept().then_some(descriptor.candidates),
         curvature: descriptor.semantic.is_swept().then_some((descriptor.curvature_min, descriptor.curvature_max)),
+        directions: descriptor.directions().map(|directions| DirectionsReport {
+            rings: directions.rings,
+            azimuths: directions.azimuths.count(),
+            ring_spacing: directions.spacing.name(),
+            max_polar_degrees: directions.max_polar_radians.to_degrees(),
+            depth_mode: descriptor.depth_mode.map(DepthMode::name),
+        }),
+        relief: descriptor.relief().map(|relief| ReliefReport { top: relief.top, thickness: relief.thickness }),
         descriptor,
     }
 }
@@ -216,7 +247,7 @@ fn describe(report: &Report) -> String {
     if let Some(provenance) = &report.provenance {
         let length =
             report.sections.iter().find_map(|section| section.curvature.as_ref()).map_or("", |found| found.length);
-        for words in provenance_words(provenance, length) {
+        for words in provenance::words(provenance, length) {
             line("provenance", words);
         }
     }
@@ -236,7 +267,12 @@ fn table_words(table: &TableReport) -> Vec<String> {
     let descriptor = &table.descriptor;
     let in_unit = |value| value_in(descriptor.unit, value);
     let length = descriptor.length_unit.symbol();
-    let layers = layer_words(table.layers, descriptor.candidates);
+    let layers = layer_words(LayerCounts {
+        layers: table.layers,
+        candidates: descriptor.candidates,
+        rings: descriptor.rings,
+        mips: table.mips,
+    });
     let arc = table.arc_degrees.map(|arc| format!(" {}", console::arc(arc))).unwrap_or_default();
     let curvature = table.curvature.map(|(min, max)| format!(", curvature {min} to {max} per {length}"));
     let transfer = match table.transfer {
@@ -248,7 +284,7 @@ fn table_words(table: &TableReport) -> Vec<String> {
         0.0 => "exact".to_owned(),
         error => format!("encoded to ± {}", in_unit(error)),
     };
-    vec![
+    let mut words = vec![
         format!(
             "{} × {} texels of {} × {} {length}{layers}{arc}, {}{transfer}, {} / {}{}{}",
             table.width,
@@ -262,7 +298,18 @@ fn table_words(table: &TableReport) -> Vec<String> {
             curvature.unwrap_or_default(),
         ),
         format!("{} {} to {}, {error}", table.semantic, in_unit(table.minimum), in_unit(table.maximum)),
-    ]
+    ];
+    words.extend(table.directions.as_ref().map(directions_words));
+    words.extend(table.relief.as_ref().map(|ReliefReport { top, thickness }| {
+        format!("depth 0 at {} {length}, depth 1 at {} {length}", number(*top), number(top - thickness))
+    }));
+    words
+}
+
+fn directions_words(directions: &DirectionsReport) -> String {
+    let DirectionsReport { ring_spacing, max_polar_degrees, depth_mode, .. } = directions;
+    let mode = depth_mode.unwrap_or("unknown");
+    format!("{mode}, rings to {}° from the normal by {ring_spacing}", number(*max_polar_degrees))
 }
 
 fn curvature_words(curvature: &CurvatureReport) -> Vec<String> {
@@ -287,52 +334,4 @@ fn curvature_words(curvature: &CurvatureReport) -> Vec<String> {
         }
     }));
     words
-}
-
-/// What this program knows of a provenance; all of it, as JSON, where it knows nothing. `length` is the symbol of the mesh's unit.
-fn provenance_words(json: &serde_json::Value, length: &str) -> Vec<String> {
-    let Ok(provenance) = serde_json::from_value::<Provenance>(json.clone()) else {
-        return vec![json.to_string()];
-    };
-    let mut words = vec![provenance.generator.clone()];
-    let inputs = [("input", &json["input"]), ("mesh", &json["mesh"])];
-    for (what, input) in inputs.into_iter().filter(|(_, input)| !input.is_null()) {
-        words[0] += &format!(", {what} {input}");
-    }
-    words.push(format!("recipe {}", json["recipe"]));
-    words.extend(provenance.horizon.iter().flat_map(horizon_words));
-    if let Some(swept) = &provenance.swept {
-        words.push(format!("{}, {} points", swept.algorithm, swept.points));
-        words.extend(swept.on_mesh.iter().map(|range| format!("swept {}", mesh_words::swept(range, length))));
-    }
-    words.extend(provenance.sky.map(|sky| sky.algorithm));
-    if let (Some(curvature), Some(mesh)) = (&provenance.curvature, &provenance.mesh) {
-        words.extend(curvature_provenance_words(curvature, mesh, length));
-    }
-    let lossy = provenance.encodings.iter().filter(|encoding| encoding.max > 0.0);
-    words.extend(lossy.map(encoding_words));
-    words
-}
-
-fn curvature_provenance_words(curvature: &CurvatureProvenance, mesh: &MeshProvenance, length: &str) -> Vec<String> {
-    let CurvatureProvenance { algorithm, method, hard_edge_degrees, mended, .. } = curvature;
-    let mut words = vec![format!("{algorithm} {}, hard edges beyond {hard_edge_degrees}°", method.name())];
-    words.push(mesh_words::welded(mended, mesh.vertices, length));
-    words.push(mesh_words::found(curvature, length));
-    words
-}
-
-fn horizon_words(horizon: &HorizonProvenance) -> Vec<String> {
-    let HorizonProvenance { algorithm, method, directions, arc, radius, accuracy } = horizon;
-    let method = method.map(|method| format!(" {}", method.name())).unwrap_or_default();
-    let arc = arc.map(|arc| format!(" {}", console::arc(arc))).unwrap_or_default();
-    let baked = format!("{algorithm}{method}, {directions} directions{arc}, radius {radius}");
-    std::iter::once(baked).chain(accuracy.as_ref().map(console::accuracy)).collect()
-}
-
-/// What storing cost, measured over all values.
-fn encoding_words(encoding: &EncodingProvenance) -> String {
-    let EncodingProvenance { table, format, unit, rms, max } = encoding;
-    let [rms, max] = [*rms, *max].map(|error| console::error_in(unit, error));
-    format!("{table} stored as {format}: measured {rms} RMS, {max} at most")
 }
