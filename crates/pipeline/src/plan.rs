@@ -6,9 +6,7 @@ use barchan_bakers::sky::MIN_SKY_DIRECTIONS;
 use barchan_bakers::swept::SweptParams;
 use barchan_field::Grid;
 
-use crate::{
-    HemisphereMode, HorizonRecipe, PipelineError, Recipe, ReliefMapping, ReliefSearch, Scene, Table,
-};
+use crate::{HemisphereMode, HorizonRecipe, PipelineError, Recipe, ReliefMapping, ReliefSearch, Scene, Table};
 
 /// A recipe with a decision for every table.
 #[derive(Debug, Clone, PartialEq)]

@@ -12,8 +12,8 @@ use crate::mesh_provenance::{CurvatureProvenance, MeshProvenance};
 use crate::search_provenance::ReliefSearchProvenance;
 use crate::sink::WrittenTable;
 use crate::{
-    CurvatureRecipe, CurvedRecipe, HemisphereRecipe, HorizonMethod, HorizonRecipe, MeshRange, Recipe, Scene, ShapeSource, Table,
-    TableEncoding,
+    CurvatureRecipe, CurvedRecipe, HemisphereRecipe, HorizonMethod, HorizonRecipe, MeshRange, Recipe, Scene,
+    ShapeSource, Table, TableEncoding,
 };
 
 /// Names the layout of [`Provenance`] as JSON.

@@ -6,9 +6,7 @@
 
 use std::io::{Read, Seek, Write};
 
-use barchan_asset::{
-    ConeMapTable, HemisphereTable, MaximumMipTable, RelaxedConeMapTable, TableGrid, TextureTable,
-};
+use barchan_asset::{ConeMapTable, HemisphereTable, MaximumMipTable, RelaxedConeMapTable, TableGrid, TextureTable};
 use barchan_bakers::cone::{self, ConeKind};
 use barchan_bakers::hemisphere::HemisphereBaker;
 use barchan_bakers::{Exec, maximum_mip};
@@ -66,14 +64,9 @@ fn bake_hemisphere<W: Read + Write + Seek>(
     sink.clock.announce(stage, 0, layers as usize);
     let baker = sink.clock.time(stage, || HemisphereBaker::new(surface, params, exec)).map_err(refused_hemisphere)?;
     let grid = coarser(table_grid(surface.grid()), params.width, params.height);
-    let facts = HemisphereTable {
-        grid,
-        directions: params.directions,
-        mode: params.mode,
-        relief: baker.relief(),
-        values: &[],
-    }
-    .facts();
+    let facts =
+        HemisphereTable { grid, directions: params.directions, mode: params.mode, relief: baker.relief(), values: &[] }
+            .facts();
     let mut open = sink.open(table, &facts, plan.encoding(table), 0.0..=1.0)?;
     let mut sample = StartSample::new(surface, &params);
     let mut depths = vec![0.0; params.width as usize * params.height as usize];

@@ -54,7 +54,10 @@ fn a_bare_recipe_is_clamped_square_and_leaves_nothing_out() {
 fn hemisphere_tables_are_the_papers_where_nothing_else_is_said() {
     let hemisphere = Recipe::bare(plane()).hemisphere;
     assert_eq!((hemisphere.rings, hemisphere.azimuths), (32, 16));
-    assert_eq!((hemisphere.spacing, hemisphere.mode), (HemisphereSpacing::SquaredTangents, HemisphereMode::Conservative));
+    assert_eq!(
+        (hemisphere.spacing, hemisphere.mode),
+        (HemisphereSpacing::SquaredTangents, HemisphereMode::Conservative)
+    );
     // No larger than the heights.
     assert_eq!([hemisphere.size_for(512, 64), hemisphere.size_for(40, 700)], [(64, 64), (40, 64)]);
     let scene = parse("scene: (relief_mapping: ())").unwrap().scene.unwrap();

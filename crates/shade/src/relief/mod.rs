@@ -25,8 +25,10 @@
 
 mod cell;
 mod cones;
+mod depth_map;
 mod heat;
 mod linear;
+mod matching;
 mod maximum_mip;
 mod occlusion;
 mod parallax;
@@ -36,14 +38,15 @@ mod relaxed_cones;
 mod road;
 mod shadow;
 mod start;
-mod stub;
 mod surface;
 mod traced;
 mod view;
 
 pub use cones::ConeSteps;
+pub use depth_map::DepthMapStart;
 pub use heat::heat_map;
 pub use linear::LinearSearch;
+pub use matching::MismatchedRelief;
 pub use maximum_mip::MaximumMipTraversal;
 pub use occlusion::{HemisphereOcclusion, MAP_TOLERANCE, Occlusion};
 pub use parallax::ParallaxOcclusion;
@@ -52,7 +55,6 @@ pub use ray::ReliefRay;
 pub use relaxed_cones::RelaxedConeSteps;
 pub use road::ReliefRoad;
 pub use shadow::{ReliefShadow, SHADOW_TOLERANCE, ShadowAnswer};
-pub use stub::DepthMapStart;
 pub use surface::Relief;
 pub use traced::TracedRelief;
 pub use view::{ReliefLight, ReliefPixel, ReliefPixels, relief_direction};

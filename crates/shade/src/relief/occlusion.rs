@@ -8,7 +8,7 @@
 //!
 //! - [`HemisphereOcclusion::of_map`], the paper's: the map alone, one fetch a direction. A map holds the least depth around, and that
 //!   of other rays of a cell, so a point that stands on a slope shades itself unless `tolerance` allows for it, and what stands out by less than
-//!   the tolerance is missed.
+//!   the tolerance is missed. What enters beside a clamped tile is not in the map, and taken for open.
 //! - [`HemisphereOcclusion::of_rays`]: a shadow ray a direction, as [`ReliefShadow`] casts them. Under a conservative map one fetch
 //!   settles what is in the open, and only the rest is searched. With the traced relief for a search, it is the truth of that
 //!   quadrature.
@@ -32,7 +32,7 @@ pub struct HemisphereOcclusion<'a> {
 /// How it is known whether something stands in a direction.
 #[derive(Clone, Copy)]
 enum Probe<'a> {
-    Map { relief: Relief<'a>, start: &'a DepthMapStart, tolerance: f64 },
+    Map { relief: Relief<'a>, start: &'a DepthMapStart<'a>, tolerance: f64 },
     Ray(ReliefShadow<'a>),
 }
 
@@ -48,10 +48,11 @@ pub struct Occlusion {
 impl<'a> HemisphereOcclusion<'a> {
     /// By the map alone, over its own directions. What stands before a point by less than `tolerance`, a depth, is not counted.
     #[must_use]
-    pub fn of_map(relief: &Relief<'a>, start: &'a DepthMapStart, tolerance: f64) -> Self {
-        let quadrature = match start.mode() {
-            DepthMode::Nearest => HemisphereQuadrature::of_rays(start.directions()),
-            _ => HemisphereQuadrature::of_cells(start.directions()),
+    pub fn of_map(relief: &Relief<'a>, start: &'a DepthMapStart<'a>, tolerance: f64) -> Self {
+        let directions = start.view().directions();
+        let quadrature = match start.view().mode() {
+            DepthMode::Nearest => HemisphereQuadrature::of_rays(&directions),
+            _ => HemisphereQuadrature::of_cells(&directions),
         };
         Self { quadrature, probe: Probe::Map { relief: *relief, start, tolerance } }
     }
@@ -82,7 +83,9 @@ impl Probe<'_> {
             Self::Map { relief, start, tolerance } => {
                 let Some(ray) = relief.ray_through(place, depth, towards) else { return (true, Fetches::default()) };
                 let start = start.start(&ray);
-                (start.depth < depth - tolerance, start.fetches)
+                // A ray that enters beside a clamped tile is not in the map.
+                let known = start.fetches.tables > 0;
+                (known && start.depth < depth - tolerance, start.fetches)
             }
             Self::Ray(shadow) => {
                 let answer = shadow.at(place, depth, towards);

@@ -6,7 +6,7 @@ use super::{DepthMapStart, Found, ReliefRay, ReliefSearch, Start};
 #[derive(Clone, Copy)]
 pub struct ReliefRoad<'a> {
     /// The depth map that says where rays start; nothing starts them at the top plane.
-    pub depth_map: Option<&'a DepthMapStart>,
+    pub depth_map: Option<&'a DepthMapStart<'a>>,
     /// How they go on.
     pub search: &'a dyn ReliefSearch,
 }
