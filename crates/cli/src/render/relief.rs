@@ -22,6 +22,9 @@ use crate::progress::ProgressDisplay;
 /// What is farther off than that, as a part of the relief's depth, is another point of the relief.
 const SAME_POINT: f64 = 1.0 / 256.0;
 
+/// Rings and azimuths of the rays that look for the sky: of the same weight, so that few do.
+const OCCLUSION_DIRECTIONS: (u32, u32) = (8, 16);
+
 /// Where another point of the relief is seen.
 const OTHER_POINT: [u8; 3] = [0, 158, 115];
 
@@ -158,11 +161,10 @@ impl<'a> Scene<'a> {
     fn palette(&self) -> Palette {
         let sand = Palette::SAND;
         match self.arguments.view.on {
-            // As bright as an open sky is in a picture from above.
-            _ if self.arguments.ambient => Palette { sky: sand.sky * 8.0, ..sand },
+            _ if self.arguments.ambient => Palette::OVERCAST_SAND,
             // As pictures from above: level ground in the sun is as bright at dawn as at noon.
             BaseName::Plane => Palette { sun: sand.sun / self.sun().towards.z.max(0.12), ..sand },
-            BaseName::Sphere => Palette { sun: sand.sun * 1.2, ..sand },
+            BaseName::Sphere => sand,
         }
     }
 
@@ -184,7 +186,8 @@ impl<'a> Scene<'a> {
         let occlusion = if map.view().mode() == DepthMode::Conservative {
             let road = ReliefRoad { depth_map: Some(map), search: self.road.search };
             let shadow = ReliefShadow { relief: self.relief, road, tolerance: SHADOW_TOLERANCE };
-            HemisphereOcclusion::of_rays(HemisphereQuadrature::of_cells(&map.view().directions()), shadow)
+            let (rings, azimuths) = OCCLUSION_DIRECTIONS;
+            HemisphereOcclusion::of_rays(HemisphereQuadrature::even(rings, azimuths), shadow)
         } else {
             HemisphereOcclusion::of_map(&self.relief, map, MAP_TOLERANCE)
         };
