@@ -26,7 +26,7 @@ fn recipe() -> Recipe {
     recipe.spacing = Spacing::new(0.5, 0.75).unwrap();
     (recipe.edge, recipe.unit) = (Edge::Wrap, Some(LengthUnit::Metre));
     (recipe.horizon.directions, recipe.horizon.radius) = (DIRECTIONS, Some(RADIUS));
-    (recipe.hemisphere.rings, recipe.hemisphere.azimuths, recipe.hemisphere.size) = (3, 4, Some((12, 10)));
+    (recipe.hemisphere.rings, recipe.hemisphere.azimuths, recipe.hemisphere.size) = (3, 4, Some((12, 9)));
     recipe
 }
 
@@ -215,7 +215,7 @@ fn what_is_left_out_is_weighed() {
         ("sky_visibility", texels),
         ("bent_normal", 2 * texels),
         ("aperture_cone", 4 * texels),
-        ("hemisphere", 12 * 10 * 3 * 4),
+        ("hemisphere", 12 * 9 * 3 * 4),
         ("cone_map", 2 * texels),
         ("relaxed_cone_map", 2 * texels),
         ("maximum_mip", 2 * (texels + 12 * 10 + 6 * 5 + 3 * 2 + 1)),

@@ -63,7 +63,10 @@ fn bake_on(
 
 fn baked(recipe: Recipe, only: Option<&[Table]>) -> Baked {
     let baked = bake_on(2, recipe, only, &|_, _, _| {}).unwrap();
-    assert_eq!(validate(&baked.bytes, &Limits::default()), []);
+    let findings = validate(&baked.bytes, &Limits::default());
+    // What is of a surface that is not in the file is said, and no error.
+    let has_heights = baked.report.tables[0].table == "height";
+    assert!(findings.iter().all(|finding| finding.id == "B0704" && !has_heights), "{findings:?}");
     baked
 }
 
