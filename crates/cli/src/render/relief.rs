@@ -1,12 +1,11 @@
 //! Relief seen from a side: every pixel by a relief ray.
 
-use barchan_asset::{DepthMode, HeightView};
+use barchan_asset::HeightView;
 use barchan_metrics::{MaskDisagreement, false_colour};
 use barchan_pipeline::Table;
 use barchan_shade::{
-    DepthMapStart, DirectionalLight, HemisphereOcclusion, HemisphereQuadrature, MAP_TOLERANCE, Palette, Picture,
-    Relief, ReliefLight, ReliefPixels, ReliefRoad, ReliefShadow, ReliefStage, SHADOW_TOLERANCE, StageEye, Surface,
-    TracedRelief, heat_map,
+    DepthMapStart, DirectionalLight, HemisphereOcclusion, HemisphereQuadrature, Palette, Picture, Relief, ReliefLight,
+    ReliefPixels, ReliefRoad, ReliefShadow, ReliefStage, SHADOW_TOLERANCE, StageEye, Surface, TracedRelief, heat_map,
 };
 
 use super::relief_report::{Comparison, Cost, Heat, Report, Sun};
@@ -182,15 +181,10 @@ impl<'a> Scene<'a> {
 
     /// What part of the sky's light every pixel lacks, where a depth map can tell.
     fn occlusion(&self, seen: &ReliefPixels<'_>) -> Option<Vec<f64>> {
-        let map = self.occlusion?;
-        let occlusion = if map.view().mode() == DepthMode::Conservative {
-            let road = ReliefRoad { depth_map: Some(map), search: self.road.search };
-            let shadow = ReliefShadow { relief: self.relief, road, tolerance: SHADOW_TOLERANCE };
-            let (rings, azimuths) = OCCLUSION_DIRECTIONS;
-            HemisphereOcclusion::of_rays(HemisphereQuadrature::even(rings, azimuths), shadow)
-        } else {
-            HemisphereOcclusion::of_map(&self.relief, map, MAP_TOLERANCE)
-        };
+        let road = ReliefRoad { depth_map: Some(self.occlusion?), search: self.road.search };
+        let shadow = ReliefShadow { relief: self.relief, road, tolerance: SHADOW_TOLERANCE };
+        let (rings, azimuths) = OCCLUSION_DIRECTIONS;
+        let occlusion = HemisphereOcclusion::of_rays(HemisphereQuadrature::even(rings, azimuths), shadow);
         let mut rows = Rows::new(self.display, "occlusion", seen);
         Some(seen.map(&0.0, |pixel| {
             rows.step();
