@@ -64,7 +64,7 @@ pub(crate) struct ReliefViewArguments {
     #[arg(long, value_name = "PIXELS", default_value_t = 640, requires = "eye")]
     #[arg(value_parser = clap::value_parser!(u32).range(16..=8192))]
     pub(crate) size: u32,
-    /// What finds the hit of a ray: cone_steps, relaxed_cone_steps, maximum_mip, linear, parallax_occlusion [default: the first of
+    /// What finds the hit of a ray: cone_steps, maximum_mip, relaxed_cone_steps, linear, parallax_occlusion [default: the first of
     /// these that the file has the table for]
     #[arg(long, value_name = "SEARCH", requires = "eye", hide_possible_values = true)]
     pub(crate) search: Option<SearchName>,
@@ -99,10 +99,10 @@ pub(crate) enum BaseName {
 pub(crate) enum SearchName {
     /// Cone steps that end in an exact hit
     ConeSteps,
-    /// Relaxed cone steps and a bisection
-    RelaxedConeSteps,
     /// Traversal of a maximum mip
     MaximumMip,
+    /// Relaxed cone steps and a bisection
+    RelaxedConeSteps,
     /// 64 steps and a bisection
     Linear,
     /// 64 steps and a secant
