@@ -89,16 +89,17 @@ impl HemisphereQuadrature {
             Ring { inner: polar(inner), outer: polar(inner + 1.0), middle: polar(inner + 0.5) }
         };
         let step = TAU / f64::from(azimuths.max(1));
-        Self::of_rings((0..rings.max(1)).map(ring), (0..azimuths.max(1)).map(|k| f64::from(k) * step), step)
+        let azimuths: Vec<f64> = (0..azimuths.max(1)).map(|k| f64::from(k) * step).collect();
+        Self::of_rings((0..rings.max(1)).map(ring), &azimuths, step)
     }
 
     fn new(rings: impl Iterator<Item = Ring>, directions: &HemisphereDirections) -> Self {
-        let azimuths = directions.azimuths;
-        Self::of_rings(rings, (0..azimuths.count()).map(|k| azimuths.radians(k)), azimuths.step_radians())
+        let azimuths: Vec<f64> = (0..directions.azimuths.count()).map(|k| directions.azimuths.radians(k)).collect();
+        Self::of_rings(rings, &azimuths, directions.azimuths.step_radians())
     }
 
-    fn of_rings(rings: impl Iterator<Item = Ring>, azimuths: impl Iterator<Item = f64> + Clone, step: f64) -> Self {
-        let cells = rings.flat_map(|ring| azimuths.clone().map(move |azimuth| ring.cell(azimuth, step)));
+    fn of_rings(rings: impl Iterator<Item = Ring>, azimuths: &[f64], step: f64) -> Self {
+        let cells = rings.flat_map(|ring| azimuths.iter().map(move |&azimuth| ring.cell(azimuth, step)));
         Self { cells: cells.collect() }
     }
 
