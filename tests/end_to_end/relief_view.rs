@@ -87,7 +87,8 @@ fn the_best_search_is_the_one_whose_table_is_there() {
         ("height,hemisphere", "linear", "depth_map"),
         ("height,maximum_mip", "maximum_mip", "top"),
         ("height,relaxed_cone_map", "relaxed_cone_steps", "top"),
-        ("height,relaxed_cone_map,maximum_mip,cone_map", "cone_steps", "top"),
+        ("height,cone_map", "cone_steps", "top"),
+        ("height,relaxed_cone_map,maximum_mip,cone_map", "maximum_mip", "top"),
     ] {
         place.ok(&format!("bake relief.ron --only {only} -o out.barchan"));
         let report = place.json("render out.barchan --eye-elevation 45 --size 32 --compare -o seen.png");
@@ -131,7 +132,7 @@ fn flags_of_this_picture_need_an_eye_above_the_ground() {
         "--eye-elevation 0",
         "--eye-elevation 91",
         "--eye-elevation 30 --tiles 0",
-        "--eye-elevation 30 --size 8193",
+        "--eye-elevation 30 --size 2049",
         "--eye-elevation 30 --search bisection",
         "--eye-elevation 30 --heat --compare",
         "--eye-elevation 30 --scale 2",

@@ -50,11 +50,11 @@ struct Ring {
 }
 
 impl HemisphereQuadrature {
-    /// The cells of a grid of directions, each under the direction in its middle.
+    /// The cells of a grid of directions, of at least one ring, each under the direction in its middle.
     #[must_use]
     pub fn of_cells(directions: &HemisphereDirections) -> Self {
         let edges = edges(directions);
-        let last = directions.rings as usize - 1;
+        let last = edges.len().saturating_sub(2);
         let rings = edges.windows(2).enumerate().map(|(ring, edge)| Ring {
             inner: edge[0],
             outer: if ring == last { FRAC_PI_2 } else { edge[1] },
@@ -63,12 +63,12 @@ impl HemisphereQuadrature {
         Self::new(rings, directions)
     }
 
-    /// The rays of a grid of directions, each at the inner edge of its cell, as nearest hemisphere tables hold them; a ray stands for
+    /// The rays of a grid of directions, of at least one ring, each at the inner edge of its cell, as nearest hemisphere tables hold them; a ray stands for
     /// what is nearer to it than to the next.
     #[must_use]
     pub fn of_rays(directions: &HemisphereDirections) -> Self {
         let edges = edges(directions);
-        let last = directions.rings as usize - 1;
+        let last = edges.len().saturating_sub(2);
         let between = |ring: usize| 0.5 * (edges[ring] + edges[ring + 1]);
         let rings = (0..=last).map(|ring| Ring {
             inner: if ring == 0 { 0.0 } else { between(ring - 1) },
