@@ -116,6 +116,11 @@ fn a_table_that_is_missing_is_named_with_what_bakes_it() {
             )
         );
     }
+    place.ok("bake relief.ron --only hemisphere -o out.barchan");
+    assert_eq!(
+        place.fails(2, "render out.barchan --eye-elevation 45 -o seen.png"),
+        "out.barchan: there is no height table; the file has hemisphere"
+    );
     assert!(!place.names().contains(&"seen.png".to_owned()));
 }
 

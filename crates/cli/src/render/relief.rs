@@ -34,7 +34,7 @@ pub(super) fn run(
     progress: ProgressStyleName,
     json: bool,
 ) -> Result<ExitStatus, Failure> {
-    let height = search::decode(file, Table::Height, "a picture")?;
+    let height = file.decode(Table::Height)?;
     let heights = HeightView::new(height.descriptor, &height.payload).map_err(|error| file.content(error))?;
     let surface = Surface::new(&heights);
     let relief = Relief::new(&surface);
@@ -175,7 +175,7 @@ impl<'a> Scene<'a> {
             rows.step();
             Some(seen.in_shadow(pixel, &shadow, light.towards))
         });
-        report.sun = Some(Sun::new(&light, self.arguments, &answers));
+        report.sun = Some(Sun::new(self.arguments, &answers));
         answers.iter().map(|answer| answer.is_some_and(|answer| answer.in_shadow)).collect()
     }
 

@@ -1,7 +1,7 @@
 //! What is said of a picture of relief seen from a side.
 
 use barchan_metrics::MaskDisagreement;
-use barchan_shade::{DirectionalLight, Fetches, ReliefPixels, ShadowAnswer};
+use barchan_shade::{Fetches, ReliefPixels, ShadowAnswer};
 use serde::Serialize;
 
 use crate::args::{BaseName, RenderArguments, SearchName};
@@ -96,11 +96,11 @@ impl Cost {
 }
 
 impl Sun {
-    pub(super) fn new(light: &DirectionalLight, arguments: &RenderArguments, answers: &[Option<ShadowAnswer>]) -> Self {
+    pub(super) fn new(arguments: &RenderArguments, answers: &[Option<ShadowAnswer>]) -> Self {
         let seen = answers.iter().flatten();
         let dark = seen.clone().filter(|answer| answer.in_shadow).count();
         Self {
-            azimuth_degrees: light.azimuth_radians.to_degrees(),
+            azimuth_degrees: arguments.azimuth,
             elevation_degrees: arguments.elevation,
             shadow_share: dark as f64 / seen.clone().count().max(1) as f64,
             rays: Cost::of(seen.map(|answer| answer.fetches)),
@@ -165,10 +165,9 @@ impl Report {
             );
         }
         if let Some(Sun { azimuth_degrees, elevation_degrees, shadow_share, rays }) = &self.sun {
-            let (azimuth, share) = (number(*azimuth_degrees), 100.0 * shadow_share);
-            let rays = rays.words();
+            let (share, rays) = (100.0 * shadow_share, rays.words());
             text += &format!(
-                "sun       azimuth {azimuth}°, elevation {elevation_degrees}°, {share:.1} % in shadow: {rays}\n"
+                "sun       azimuth {azimuth_degrees}°, elevation {elevation_degrees}°, {share:.1} % in shadow: {rays}\n"
             );
         }
         if let Some(occlusion) = self.mean_occlusion {

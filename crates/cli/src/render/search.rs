@@ -104,7 +104,7 @@ pub(super) fn depth_map<'a>(
 }
 
 /// A table that was asked for, or what to do where there is none.
-pub(super) fn decode<'a>(file: &'a AssetFile, table: Table, asked: &str) -> Result<DecodedTable<'a>, Failure> {
+fn decode<'a>(file: &'a AssetFile, table: Table, asked: &str) -> Result<DecodedTable<'a>, Failure> {
     if !file.tables()?.contains(&table) {
         let name = table.name();
         let advice = "bake it with `relief_mapping` in the recipe's scene, or from a height map with `--only height";
