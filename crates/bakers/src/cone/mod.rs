@@ -16,12 +16,12 @@
 //!
 //! h the bilinear surface with all that the edge policy makes of it.
 //!
-//! **Filtered, they hold at every place.** Let P be anywhere, w_k ≥ 0 the weights of the bilinear filter there, Σ w_k =
-//! 1. Texels with w_k > 0 have P within a texel of their centres, so r_k ≤ r(P), the ratio of the widest cone that is
-//! free at P itself, and so Σ w_k r_k ≤ r(P). Depths are rounded down, D'_k ≤ D_k; the surface being bilinear, Σ w_k D'_k
-//! ≤ Σ w_k D_k = D(P): the filtered depth is that of a point on or above the surface, and a cone on a higher tip with
-//! the same ratio is inside the cone of P. So a step ends before or on the first hit, for any ray, and may be rounded
-//! to any length that is not longer.
+//! **Filtered, they hold at every place.** Let P be anywhere and w_k ≥ 0 the weights of the bilinear filter there, which
+//! sum to 1. Texels with w_k > 0 have P within a texel of their centres, so r_k ≤ r(P), the ratio of the widest cone
+//! that is free at P itself, and so Σ w_k r_k ≤ r(P). Depths are rounded down, D'_k ≤ D_k; the surface being bilinear,
+//! Σ w_k D'_k ≤ Σ w_k D_k = D(P): the filtered depth is that of a point on or above the surface, and a cone on a higher
+//! tip with the same ratio is inside the cone of P. So a step ends before or on the first hit, for any ray, and may be
+//! rounded to any length that is not longer.
 //!
 //! **Finding r.** A place within a texel of a centre is in one of the four cells around it, so that r_k is the least of
 //! the ratios of four cells, each of which serves four texels. For a cell F the steepest ascent 1/r_F = sup (h(Q) − h(P)) /
