@@ -14,6 +14,8 @@ mod mesh;
 mod mesh_dump;
 #[path = "end_to_end/relief_search.rs"]
 mod relief_search;
+#[path = "end_to_end/relief_view.rs"]
+mod relief_view;
 #[path = "end_to_end/render.rs"]
 mod render;
 #[path = "end_to_end/samples.rs"]

@@ -149,6 +149,7 @@ fn every_report_is_json_with_a_versioned_schema() {
         ("validate r.barchan", "barchan.validate/1"),
         ("compare r.barchan r.barchan", "barchan.compare/1"),
         ("render r.barchan -o r.png", "barchan.render/1"),
+        ("render r.barchan --eye-elevation 30 --size 32 -o r.png", "barchan.render_relief/1"),
     ] {
         assert_eq!(place.json(words)["schema"], schema);
     }
