@@ -30,7 +30,7 @@ fn by_default_it_is_what_is_traced() {
         ["--eye-elevation 20", "--eye-azimuth 30", "--eye-elevation 60 --eye-azimuth -100", "--eye-elevation 90"]
     {
         let report = place.json(&format!("render out.barchan {flags} --elevation 25 --size 96 --compare -o seen.png"));
-        assert_eq!((&report["search"], &report["start"]), (&"cone_steps".into(), &"depth_map".into()));
+        assert_eq!((&report["search"], &report["start"]), (&"maximum_mip".into(), &"depth_map".into()));
         assert_eq!(number(&report, "/comparison/other_point_share"), 0.0, "{flags}");
         assert!(number(&report, "/comparison/max_depth_error") < 1e-6, "{flags}");
         assert!(number(&report, "/comparison/wrong_shadow_share") < 1e-3, "{flags}");

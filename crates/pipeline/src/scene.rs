@@ -67,13 +67,13 @@ impl Default for ReliefMapping {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ReliefSearch {
-    /// Steps as long as a cone above the surface allows, and the exact hit at their end.
+    /// Squares of the map, large where the ray is above all of their relief: exact, and the fewest fetches on most relief.
     #[default]
+    MaximumMip,
+    /// Steps as long as a cone above the surface allows, and the exact hit at their end.
     ConeSteps,
     /// Longer steps, which may pass the surface once, and a bisection.
     RelaxedConeSteps,
-    /// Squares of the map, large where the ray is above all of their relief.
-    MaximumMip,
     /// Steps of one length and a bisection.
     Linear,
 }

@@ -61,7 +61,7 @@ fn hemisphere_tables_are_the_papers_where_nothing_else_is_said() {
     // No larger than the heights.
     assert_eq!([hemisphere.size_for(512, 64), hemisphere.size_for(40, 700)], [(64, 64), (40, 64)]);
     let scene = parse("scene: (relief_mapping: ())").unwrap().scene.unwrap();
-    let expected = ReliefMapping { least_elevation_degrees: 10.0, arc: None, search: ReliefSearch::ConeSteps };
+    let expected = ReliefMapping { least_elevation_degrees: 10.0, arc: None, search: ReliefSearch::MaximumMip };
     assert_eq!(scene.relief_mapping, Some(expected));
 }
 
@@ -71,7 +71,7 @@ fn what_relief_mapping_cannot_be_is_said_with_what_it_can() {
     for (fields, expected) in [
         (
             "scene: (relief_mapping: (search: cones))",
-            "unknown value `cones` (accepted: `cone_steps`, `relaxed_cone_steps`, `maximum_mip`, `linear`)",
+            "unknown value `cones` (accepted: `maximum_mip`, `cone_steps`, `relaxed_cone_steps`, `linear`)",
         ),
         ("hemisphere: (mode: bold)", "unknown value `bold` (accepted: `conservative`, `nearest`)"),
         ("hemisphere: (size: 64)", "`hemisphere.size` is `64`; a pair of numbers in parentheses is needed"),

@@ -35,7 +35,8 @@ fn recipe() -> Recipe {
     (recipe.edge, recipe.unit) = (Edge::Wrap, Some(LengthUnit::Metre));
     (recipe.horizon.directions, recipe.horizon.radius) = (4, Some(4.0));
     (recipe.hemisphere.rings, recipe.hemisphere.azimuths, recipe.hemisphere.size) = (4, 6, Some((8, 5)));
-    recipe.scene = Some(Scene { relief_mapping: Some(ReliefMapping::default()), ..Scene::default() });
+    let mapping = ReliefMapping { search: ReliefSearch::ConeSteps, ..ReliefMapping::default() };
+    recipe.scene = Some(Scene { relief_mapping: Some(mapping), ..Scene::default() });
     recipe
 }
 
