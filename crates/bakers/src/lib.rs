@@ -6,7 +6,9 @@
 pub mod curvature;
 mod error;
 mod exec;
+pub mod hemisphere;
 pub mod horizon;
+mod memory;
 pub mod sky;
 pub mod swept;
 

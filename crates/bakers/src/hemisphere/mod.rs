@@ -1,0 +1,13 @@
+//! Hemisphere depth maps: how deep a ray may go before it can meet the relief.
+
+mod baker;
+mod conservative;
+pub(crate) mod depths;
+mod map;
+mod nearest;
+mod params;
+pub mod reference;
+
+pub use baker::{HemisphereBaker, bake};
+pub use map::HemisphereMap;
+pub use params::HemisphereParams;
