@@ -24,6 +24,7 @@ mod oracle;
 mod picture;
 mod place;
 mod principal;
+mod relief;
 mod sky;
 mod surface;
 mod tangent;
@@ -47,6 +48,9 @@ pub use oracle::DisplacedShadow;
 pub use picture::{Palette, Picture, Pixels};
 pub use place::Place;
 pub use principal::PrincipalUv;
+pub use relief::{
+    Fetches, Found, LinearSearch, ParallaxOcclusion, Relief, ReliefRay, ReliefSearch, Start, TracedRelief,
+};
 pub use sky::SkyLight;
 pub use surface::Surface;
 pub use tangent::{TangentFrame, TangentLight};

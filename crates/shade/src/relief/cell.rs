@@ -1,0 +1,98 @@
+//! One cell of the bilinear surface under a ray: where the ray leaves it, and where it meets the surface inside.
+//!
+//! Inside a cell the surface along a ray is a parabola in the ray's depth. Written from one end of the ray's part of the cell
+//! to the other, s = 0 to 1, the gap between ray and surface is
+//!
+//! > G(s) = G₀ + b s + c s², b = G₁ − G₀ − c, c = twist · Δx · Δy,
+//!
+//! all of it of the size of the depths, so that grazing rays cost no digits. Cells are counted in whole numbers, and never
+//! derived from a rounded place while a ray is walked: no border can hold a walk up.
+
+use super::{Relief, ReliefRay};
+
+/// The cell right of and below a texel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Cell {
+    pub(crate) column: i64,
+    pub(crate) row: i64,
+}
+
+/// The end of a ray's part of a cell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Exit {
+    /// At most 1.
+    pub(crate) depth: f64,
+    pub(crate) next: Cell,
+}
+
+impl Cell {
+    /// The cell that a ray goes through just behind a depth.
+    #[inline]
+    pub(crate) fn behind(ray: &ReliefRay, depth: f64) -> Self {
+        let index = |place: f64, step: f64| if step < 0.0 { place.ceil() as i64 - 1 } else { place.floor() as i64 };
+        let (x, y) = ray.at(depth);
+        Self { column: index(x, ray.step.0), row: index(y, ray.step.1) }
+    }
+
+    /// Where a ray leaves the cell, `from` at the earliest, and which one comes next.
+    #[inline]
+    pub(crate) fn exit(self, ray: &ReliefRay, from: f64) -> Exit {
+        let u = border(ray.place.0, ray.step.0, (self.column, self.column + 1));
+        let v = border(ray.place.1, ray.step.1, (self.row, self.row + 1));
+        let next = if u <= v {
+            Self { column: self.column + if ray.step.0 < 0.0 { -1 } else { 1 }, ..self }
+        } else {
+            Self { row: self.row + if ray.step.1 < 0.0 { -1 } else { 1 }, ..self }
+        };
+        Exit { depth: u.min(v).max(from).min(1.0), next }
+    }
+}
+
+/// The depth at which a ray reaches the end of a range of texels along one axis.
+#[inline]
+pub(crate) fn border(place: f64, step: f64, (low, high): (i64, i64)) -> f64 {
+    if step == 0.0 {
+        return f64::INFINITY;
+    }
+    let end = if step > 0.0 { high } else { low };
+    (end as f64 - place) / step
+}
+
+impl Relief<'_> {
+    /// The first hit of a ray in its part of a cell, between two depths; `corners` are those of the cell.
+    #[inline]
+    pub(crate) fn hit_between(
+        ray: &ReliefRay,
+        cell: Cell,
+        [d00, d10, d01, d11]: [f64; 4],
+        (from, to): (f64, f64),
+    ) -> Option<f64> {
+        let (along_x, along_y, twist) = (d10 - d00, d01 - d00, d00 - d10 - d01 + d11);
+        let gap = |depth: f64| {
+            let (x, y) = ray.at(depth);
+            let (x, y) = (x - cell.column as f64, y - cell.row as f64);
+            d00 + along_x * x + along_y * y + twist * x * y - depth
+        };
+        let (g0, g1) = (gap(from), gap(to));
+        let part = to - from;
+        first_zero(g0, g1, twist * (part * ray.step.0) * (part * ray.step.1)).map(|s| from + s * part)
+    }
+}
+
+/// The least s in 0..=1 at which the parabola from `g0` to `g1`, with the coefficient `c` of s², is not above 0.
+#[inline]
+fn first_zero(g0: f64, g1: f64, c: f64) -> Option<f64> {
+    if g0 <= 0.0 {
+        return Some(0.0);
+    }
+    let b = g1 - g0 - c;
+    let discriminant = b * b - 4.0 * c * g0;
+    if g1 > 0.0 && (c <= 0.0 || b >= 0.0 || discriminant < 0.0) {
+        // Both ends are outside, and between them the gap has no minimum or one above 0.
+        return None;
+    }
+    let root = discriminant.max(0.0).sqrt();
+    // The forms that add what has one sign: nothing cancels.
+    let s = if b <= 0.0 { 2.0 * g0 / (root - b) } else { (root + b) / (-2.0 * c) };
+    if g1 > 0.0 { (s <= 1.0).then_some(s) } else { Some(s.min(1.0)) }
+}

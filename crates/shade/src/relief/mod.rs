@@ -1,0 +1,107 @@
+//! Rays against relief below a plane: where a ray first meets a height map, and what it costs to find out.
+//!
+//! # Theory
+//!
+//! A ray enters the *top plane*, which the highest sample touches, at a place and goes down and away from the eye. It is
+//! followed by its *depth* d, 0 on the top plane and 1 at the lowest sample, and stands in texels at place + d · step, the
+//! step the same for the whole ray. The relief there has the depth D, bilinear between samples; the ray is outside while
+//! D > d, and its *first hit* is the least d with D ≤ d. Every ray has one, as nothing is deeper than 1.
+//!
+//! A search takes any [`Start`] and says what it [`Found`] and what it fetched on the way. [`TracedRelief`] is the truth:
+//! cell by cell, each solved exactly. What steps until it is inside ([`LinearSearch`], [`ParallaxOcclusion`]) can step
+//! over a spike; what knows free space ([`ConeSteps`], [`MaximumMipTraversal`]) can not, and neither can a start that is
+//! *proven* to lie before the first hit.
+//!
+//! # Fetches
+//!
+//! A filtered sample of the heights, or a gather of the four around a place, is one fetch of a height. A filtered sample of a
+//! cone map, or one texel of a mip or a depth map, is one fetch of a table.
+//!
+//! # Conventions
+//!
+//! `towards` points from the surface to the eye or the light in the frame (u, v up the picture, height); θ is its angle from
+//! the normal. Depths are parts of the relief's thickness; ratios of lengths (tangents) are pure numbers. Places are in
+//! texels from the centre of texel (0, 0), rows downwards. Beyond the tile the heights' own edge policy holds.
+
+mod cell;
+mod linear;
+mod parallax;
+mod ray;
+mod surface;
+mod traced;
+
+pub use linear::LinearSearch;
+pub use parallax::ParallaxOcclusion;
+pub use ray::ReliefRay;
+pub use surface::Relief;
+pub use traced::TracedRelief;
+
+use std::ops::AddAssign;
+
+/// Most steps of a search: of a linear one, and an end for what goes on by what a table says.
+const MOST_STEPS: u32 = 1 << 20;
+
+/// What a search read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Fetches {
+    /// Filtered samples and gathers of the heights.
+    pub heights: u32,
+    /// Samples of the tables beside them: cones, mips, depths.
+    pub tables: u32,
+}
+
+impl Fetches {
+    /// One fetch of a height.
+    pub const HEIGHT: Self = Self { heights: 1, tables: 0 };
+
+    /// One fetch of a table.
+    pub const TABLE: Self = Self { heights: 0, tables: 1 };
+
+    /// Of heights and tables together.
+    #[must_use]
+    pub fn total(&self) -> u32 {
+        self.heights.saturating_add(self.tables)
+    }
+}
+
+impl AddAssign for Fetches {
+    fn add_assign(&mut self, more: Self) {
+        self.heights = self.heights.saturating_add(more.heights);
+        self.tables = self.tables.saturating_add(more.tables);
+    }
+}
+
+/// Where a search ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Found {
+    /// The depth of the hit, 0 to 1; [`ReliefRay::at`] tells the place.
+    pub depth: f64,
+    /// All that was read, that of the start included.
+    pub fetches: Fetches,
+}
+
+/// Where a search begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Start {
+    /// The depth to begin at, 0 to 1.
+    pub depth: f64,
+    /// Whether nothing above that depth can be hit. Otherwise a search looks whether it begins inside the relief, and walks
+    /// back out.
+    pub proven: bool,
+    /// What finding the start has read.
+    pub fetches: Fetches,
+}
+
+impl Start {
+    /// The top plane: always proven, and for nothing.
+    pub const TOP: Self = Self { depth: 0.0, proven: true, fetches: Fetches { heights: 0, tables: 0 } };
+}
+
+/// A way to find the first hit of a ray.
+pub trait ReliefSearch {
+    /// What the method is called in tables and on pictures.
+    fn name(&self) -> &'static str;
+
+    /// Where the ray meets the relief at or behind the start. It ends for every ray.
+    fn find(&self, ray: &ReliefRay, start: Start) -> Found;
+}
