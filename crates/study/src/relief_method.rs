@@ -70,9 +70,6 @@ impl Feed {
 }
 
 impl Method {
-    /// The default, and the only ones of its search that skip the way down without a risk.
-    pub const DEFAULT: Self = Self { search: Search::Cones, feed: Feed::Conservative };
-
     /// Every pair.
     pub fn all() -> impl Iterator<Item = Self> {
         Search::ALL.into_iter().flat_map(|search| Feed::ALL.map(|feed| Self { search, feed }))

@@ -24,7 +24,7 @@ pub(crate) struct Sight {
 type Look = (f64, f64, DVec3);
 
 /// Rays at one angle from the normal, in degrees, from places anywhere in the tile and from all azimuths.
-pub(crate) fn anywhere(relief: &Relief, size: u32, polar_degrees: f64, count: u64) -> Vec<Sight> {
+pub(crate) fn anywhere(relief: &Relief<'_>, size: u32, polar_degrees: f64, count: u64) -> Vec<Sight> {
     let (side, polar) = (f64::from(size), polar_degrees.to_radians());
     let look = |index: u64| {
         let [x, y, turns] = [0, 1, 2].map(|part| unit(3 * index + part));
@@ -33,8 +33,18 @@ pub(crate) fn anywhere(relief: &Relief, size: u32, polar_degrees: f64, count: u6
     sights(relief, (0..count).map(look))
 }
 
+/// Rays at any angle from the normal up to one in degrees, all as likely, otherwise as [`anywhere`].
+pub(crate) fn anywhere_within(relief: &Relief<'_>, size: u32, polar_degrees: f64, count: u64) -> Vec<Sight> {
+    let (side, most) = (f64::from(size), polar_degrees.to_radians());
+    let look = |index: u64| {
+        let [x, y, polar, turns] = [0, 1, 2, 3].map(|part| unit(4 * index + part));
+        (x * side - 0.5, y * side - 0.5, towards(polar * most, turns * TAU))
+    };
+    sights(relief, (0..count).map(look))
+}
+
 /// A picture of one tile of a plane, seen along one direction: so many pixels across and down.
-pub(crate) fn plane(relief: &Relief, size: u32, direction: DVec3, pixels: u32) -> Vec<Sight> {
+pub(crate) fn plane(relief: &Relief<'_>, size: u32, direction: DVec3, pixels: u32) -> Vec<Sight> {
     let step = f64::from(size) / f64::from(pixels);
     let places = (0..pixels).flat_map(|row| (0..pixels).map(move |column| (column, row)));
     let look = |(column, row)| ((f64::from(column) + 0.5) * step - 0.5, (f64::from(row) + 0.5) * step - 0.5, direction);
@@ -43,7 +53,7 @@ pub(crate) fn plane(relief: &Relief, size: u32, direction: DVec3, pixels: u32) -
 
 /// A picture of a sphere with the tile all over it, seen from far before its equator: what is inside the outline. The
 /// relief lies on the sphere's tangent planes, as relief mapping has it.
-pub(crate) fn sphere(relief: &Relief, size: u32, pixels: u32) -> Vec<Sight> {
+pub(crate) fn sphere(relief: &Relief<'_>, size: u32, pixels: u32) -> Vec<Sight> {
     let across = f64::from(pixels);
     let places = (0..pixels).flat_map(|row| (0..pixels).map(move |column| (column, row)));
     let look = |(column, row): (u32, u32)| {
@@ -70,7 +80,7 @@ pub(crate) fn towards(polar: f64, azimuth: f64) -> DVec3 {
     DVec3::new(sin * cos_azimuth, sin * sin_azimuth, cos)
 }
 
-fn sights(relief: &Relief, looks: impl Iterator<Item = Look>) -> Vec<Sight> {
+fn sights(relief: &Relief<'_>, looks: impl Iterator<Item = Look>) -> Vec<Sight> {
     let oracle = TracedRelief::new(relief);
     let sight = |(x, y, towards)| {
         let ray = relief.ray(x, y, towards)?;

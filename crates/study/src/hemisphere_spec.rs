@@ -1,0 +1,145 @@
+//! Hemisphere depths as the studies vary them: from a specification to the table that a file stores.
+
+use barchan_asset::{
+    Azimuths, DepthMode, Encoding, HemisphereDirections, HemisphereTable, HemisphereView, RingSpacing, TableGrid,
+    TextureTable,
+};
+use barchan_bakers::Exec;
+use barchan_bakers::hemisphere::{HemisphereBaker, HemisphereParams};
+use barchan_field::HeightField;
+
+use crate::tables::table_grid;
+use crate::{Setting, Stopwatch, StudyError};
+
+/// What is varied of a hemisphere table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct HemisphereSpec {
+    pub(crate) mode: DepthMode,
+    /// Texels along each side.
+    pub(crate) size: u32,
+    pub(crate) rings: u32,
+    pub(crate) azimuths: u32,
+    pub(crate) spacing: RingSpacing,
+    pub(crate) max_polar_degrees: f64,
+    pub(crate) encoding: Encoding,
+}
+
+/// A table, and what its bake took.
+pub(crate) struct StoredHemisphere {
+    pub(crate) table: TextureTable,
+    /// Processor time of the layers that were baked, in seconds.
+    pub(crate) seconds: f64,
+}
+
+/// Which layers are baked: the others stay at depth 0, from which any search is right, and slow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Layers<'a> {
+    All,
+    /// Those that rays at these angles from the normal, in degrees, ask for.
+    AtAngles(&'a [f64]),
+}
+
+impl HemisphereSpec {
+    /// The default of a recipe whose scene is not looked at from below `90° − max_polar_degrees`.
+    pub(crate) fn conservative(max_polar_degrees: f64) -> Self {
+        Self {
+            mode: DepthMode::Conservative,
+            size: 64,
+            rings: 32,
+            azimuths: 16,
+            spacing: RingSpacing::SquaredTangents,
+            max_polar_degrees,
+            encoding: Encoding::Compact,
+        }
+    }
+
+    /// The paper's: equal angles, and the depth of one ray.
+    pub(crate) fn paper(max_polar_degrees: f64) -> Self {
+        let conservative = Self::conservative(max_polar_degrees);
+        Self { mode: DepthMode::Nearest, spacing: RingSpacing::EqualAngles, ..conservative }
+    }
+
+    pub(crate) fn directions(&self) -> HemisphereDirections {
+        HemisphereDirections {
+            rings: self.rings,
+            azimuths: Azimuths::full_circle(self.azimuths),
+            spacing: self.spacing,
+            max_polar_radians: self.max_polar_degrees.to_radians(),
+        }
+    }
+
+    pub(crate) fn params(&self) -> HemisphereParams {
+        HemisphereParams { directions: self.directions(), width: self.size, height: self.size, mode: self.mode }
+    }
+
+    /// As records have it.
+    pub(crate) fn setting(&self) -> Setting {
+        let mode = if self.mode == DepthMode::Nearest { "nearest" } else { "conservative" };
+        let spacing =
+            if self.spacing == RingSpacing::EqualAngles { "equal_angles" } else { "squared_tangents" };
+        Setting::default()
+            .with("mode", mode)
+            .with("size", self.size)
+            .with("rings", self.rings)
+            .with("azimuths", self.azimuths)
+            .with("spacing", spacing)
+            .with("encoding", self.encoding.name())
+    }
+
+    pub(crate) fn bake(
+        &self,
+        field: &HeightField,
+        layers: Layers<'_>,
+        exec: &Exec<'_>,
+    ) -> Result<StoredHemisphere, StudyError> {
+        let directions = self.directions();
+        let texels = self.size as usize * self.size as usize;
+        let mut values = vec![0.0; texels * directions.layers() as usize];
+        let watch = Stopwatch::start();
+        let baker = HemisphereBaker::new(field, self.params(), exec)?;
+        for (layer, values) in (0..).zip(values.chunks_exact_mut(texels)) {
+            if layers.have(&directions, layer) {
+                baker.bake_layer(layer, exec, values);
+            }
+        }
+        let seconds = watch.elapsed().core_seconds();
+        let (mode, relief) = (self.mode, baker.relief());
+        let table = HemisphereTable { grid: self.grid(field), directions, mode, relief, values: &values };
+        Ok(StoredHemisphere { table: table.encode(self.encoding)?, seconds })
+    }
+
+    /// The field's extent, in texels of the table.
+    fn grid(&self, field: &HeightField) -> TableGrid {
+        let source = table_grid(field.grid());
+        let coarser = |texels: u32| f64::from(texels) / f64::from(self.size);
+        TableGrid {
+            width: self.size,
+            height: self.size,
+            spacing_u: source.spacing_u * coarser(source.width),
+            spacing_v: source.spacing_v * coarser(source.height),
+            ..source
+        }
+    }
+}
+
+impl Layers<'_> {
+    fn have(self, directions: &HemisphereDirections, layer: u32) -> bool {
+        match self {
+            Self::All => true,
+            Self::AtAngles(angles) => {
+                let (ring, _) = directions.ring_and_azimuth(layer);
+                angles.iter().any(|angle| directions.ring_of_tangent(libm::tan(angle.to_radians())) == Some(ring))
+            }
+        }
+    }
+}
+
+impl StoredHemisphere {
+    pub(crate) fn view(&self) -> Result<HemisphereView<'_>, StudyError> {
+        Ok(HemisphereView::new(*self.table.descriptor(), self.table.payload())?)
+    }
+
+    pub(crate) fn bytes(&self) -> u64 {
+        self.table.payload().len() as u64
+    }
+}

@@ -1,0 +1,192 @@
+//! All ways to find a ray's first hit with a relief, on reliefs that differ in what makes a search fail.
+//!
+//! # What is compared
+//!
+//! Every [`Search`] from the top plane, from the paper's depths and from conservative ones; all tables as a file stores them
+//! in the compact encoding, on heights as stored. The truth is the exact hit with the bilinear surface
+//! ([`TracedRelief`](barchan_shade::TracedRelief)). Rays enter anywhere in the tile from all azimuths, at one elevation each.
+//!
+//! # What is counted
+//!
+//! The error of the hit's depth, as a part of the relief's thickness; the share of rays that pass their true hit by more than
+//! [`TOLERANCE`](crate::relief_rays::TOLERANCE), which are features missed; fetches of heights and of other tables; and the
+//! time of start and search, the ray given. Beside it, what goes wrong with starts at any angle that maps have: behind the
+//! hit, out of the relief again, and led back to a wrong hit.
+//!
+//! # What it weighs
+//!
+//! Bytes of the tables that a method reads beside the heights, and the processor time of their bakes. Hemispheres have the
+//! paper's 32 × 16 directions and 64 × 64 depths.
+
+use barchan_bakers::Exec;
+use barchan_shade::{DepthMapStart, Relief};
+
+use crate::hemisphere_spec::{HemisphereSpec, Layers};
+use crate::relief_method::{Feed, Method, Search};
+use crate::relief_rays::{Sight, anywhere, anywhere_within};
+use crate::relief_seeker::{Seeker, timed, timings};
+use crate::relief_tables::SearchTables;
+use crate::runner::{Observer, Step};
+use crate::timer::Pace;
+use crate::{Record, Scale, Scene, Setting, StudyError, reliefs, start_faults, tables};
+
+/// Elevations of the eye above the plane, degrees.
+const ELEVATIONS: [f64; 4] = [80.0, 45.0, 20.0, 15.0];
+
+/// The angle from the normal that hemispheres are baked to, degrees.
+pub(crate) const MAX_POLAR: f64 = 80.0;
+
+/// The study.
+pub struct Searches<'a> {
+    /// Rays per relief and elevation.
+    pub rays: u64,
+    /// Of them, those that are timed.
+    pub timed_rays: usize,
+    /// Texels along each side of a hemisphere.
+    pub size: u32,
+    /// How bakes run.
+    pub exec: &'a Exec<'a>,
+    /// How long all methods are timed at one elevation.
+    pub pace: Pace,
+}
+
+/// A relief, and for each method in turn what finds hits with it, its bytes and the seconds of its bakes.
+struct Bench<'a> {
+    scene: &'a Scene,
+    seekers: Vec<Seeker<'a>>,
+    weights: Vec<(u64, f64)>,
+}
+
+/// The study and its reliefs.
+///
+/// # Errors
+/// A relief that cannot be made.
+pub fn parts<'a>(scale: Scale, exec: &'a Exec<'a>) -> Result<(Searches<'a>, Vec<Scene>), StudyError> {
+    let (texels, size, rays, timed_rays, seconds) = match scale {
+        Scale::Full => (256, 64, 20_000, 4000, 0.5),
+        Scale::Quick => (32, 8, 100, 20, 0.0),
+    };
+    let scenes = reliefs::FIVE.map(|name| reliefs::by_name(name, texels)).into_iter().collect::<Result<_, _>>()?;
+    Ok((Searches { rays, timed_rays, size, exec, pace: Pace { seconds, max_rounds: 7 } }, scenes))
+}
+
+/// The records of all reliefs.
+///
+/// # Errors
+/// A bake that is refused.
+pub fn measure(study: &Searches<'_>, scenes: &[Scene], observe: &mut Observer<'_>) -> Result<Vec<Record>, StudyError> {
+    let mut records = Vec::new();
+    for (done, scene) in scenes.iter().enumerate() {
+        observe(&Step { done, total: scenes.len(), what: &scene.name });
+        let surface = tables::surface(&scene.field)?;
+        let relief = Relief::new(&surface);
+        let bench = study.bench(scene, &relief)?;
+        let width = scene.field.grid().width;
+        for elevation in ELEVATIONS {
+            let sights = anywhere(&relief, width, 90.0 - elevation, study.rays);
+            records.extend(study.compare(&bench, elevation, &sights)?);
+        }
+        let sights = anywhere_within(&relief, width, MAX_POLAR, study.rays);
+        let linear = Method::all().zip(&bench.seekers).filter(|(method, _)| method.search == Search::Linear);
+        for (method, seeker) in linear {
+            records.extend(start_faults::of(method.feed, seeker, (&relief, scene), &sights));
+        }
+    }
+    Ok(records)
+}
+
+impl Searches<'_> {
+    fn bench<'a>(&self, scene: &'a Scene, relief: &Relief<'a>) -> Result<Bench<'a>, StudyError> {
+        let tables = SearchTables::bake(&scene.field, &Search::ALL, self.exec)?;
+        let stored =
+            |spec: HemisphereSpec| HemisphereSpec { size: self.size, ..spec }.bake(&scene.field, Layers::All, self.exec);
+        let nearest = stored(HemisphereSpec::paper(MAX_POLAR))?;
+        let conservative = stored(HemisphereSpec::conservative(MAX_POLAR))?;
+        let mut bench = Bench { scene, seekers: Vec::new(), weights: Vec::new() };
+        for method in Method::all() {
+            let hemisphere = match method.feed {
+                Feed::Top => None,
+                Feed::Nearest => Some(&nearest),
+                Feed::Conservative => Some(&conservative),
+            };
+            let (start, more) = match hemisphere {
+                None => (None, (0, 0.0)),
+                Some(stored) => (Some(DepthMapStart::new(&stored.view()?)), (stored.bytes(), stored.seconds)),
+            };
+            let (bytes, seconds) = tables.weight(method.search);
+            bench.seekers.push(Seeker { search: tables.search(relief, method.search)?, start });
+            bench.weights.push((bytes + more.0, seconds + more.1));
+        }
+        Ok(bench)
+    }
+
+    /// All methods under the same rays.
+    fn compare(&self, bench: &Bench<'_>, elevation: f64, sights: &[Sight]) -> Result<Vec<Record>, StudyError> {
+        let each = Method::all().zip(&bench.seekers).zip(&bench.weights);
+        let records = each.map(|((method, seeker), &(bytes, seconds))| {
+            let record = Record::new("relief_search", setting(method, elevation), bench.scene);
+            seeker.judge(Record { bytes: Some(bytes), bake_seconds: Some(seconds), ..record }, sights)
+        });
+        let records = records.collect();
+        let some = &sights[..sights.len().min(self.timed_rays)];
+        Ok(timed(records, &timings(&bench.seekers, some, &self.pace)?, some.len()))
+    }
+}
+
+fn setting(method: Method, elevation: f64) -> Setting {
+    let setting = Setting::default().with("search", method.search.name()).with("start", method.feed.name());
+    setting.with("elevation", elevation)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn records() -> Vec<Record> {
+        let exec = Exec::new(1).unwrap();
+        let (study, scenes) = parts(Scale::Quick, &exec).unwrap();
+        measure(&study, &scenes, &mut |_| ()).unwrap()
+    }
+
+    fn of<'a>(records: &'a [Record], words: &'a str) -> impl Iterator<Item = &'a Record> {
+        records.iter().filter(move |record| record.setting.to_string().starts_with(words))
+    }
+
+    #[test]
+    fn what_knows_free_space_misses_nothing_wherever_it_safely_starts() {
+        let records = records();
+        for search in ["cone_steps", "maximum_mip"] {
+            for start in ["top", "conservative"] {
+                let words = format!("search={search} start={start}");
+                assert_eq!(of(&records, &words).count(), 20);
+                assert!(of(&records, &words).all(|record| record.max < Some(1e-5)), "{words}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_linear_search_loses_features_seen_from_the_side() {
+        let records = records();
+        let seen = of(&records, "search=linear start=top elevation=15");
+        assert!(seen.filter(|record| record.wrong_share > Some(0.0)).count() > 0);
+    }
+
+    #[test]
+    fn a_search_that_starts_lower_looks_at_less_and_weighs_more() {
+        let records = records();
+        let fetches = |words| of(&records, words).filter_map(|record| record.height_fetches).sum::<f64>();
+        assert!(fetches("search=linear start=conservative") < fetches("search=linear start=top"));
+        assert!(of(&records, "search=linear start=top").all(|record| record.bytes == Some(0)));
+        assert!(of(&records, "search=linear start=conservative").all(|record| record.bytes == Some(8 * 8 * 512)));
+    }
+
+    #[test]
+    fn only_starts_of_other_rays_are_behind_their_hits() {
+        let records = records();
+        let behind = |start| {
+            of(&records, start).filter(|record| record.technique == "start_faults").filter_map(|record| record.wrong_share).sum::<f64>()
+        };
+        assert_eq!((behind("start=top"), behind("start=conservative")), (0.0, 0.0));
+        assert!(behind("start=nearest") > 0.0);
+    }
+}

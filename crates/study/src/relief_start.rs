@@ -1,0 +1,181 @@
+//! Where hemisphere depths let a ray start, and what it then takes to find the hit by cone steps: by size, encoding, grid of
+//! directions and mode, on the five reliefs.
+//!
+//! # What is counted
+//!
+//! Of every table, under rays from anywhere at four angles from the normal: the mean depth of the start beside that of the true
+//! hit, and the share of starts behind it, which are overshoots. No tolerance is allowed: a start is behind the hit if its number is
+//! larger. Then the error and the fetches of cone steps from there. The same rays without a table, by cone steps and by linear
+//! search, say what is saved.
+//!
+//! Only those rings are baked that the angles ask for; the others' depth is 0, and no ray reads them.
+
+use barchan_asset::{Encoding, RingSpacing};
+use barchan_bakers::Exec;
+use barchan_shade::{DepthMapStart, Relief};
+
+use crate::hemisphere_spec::{HemisphereSpec, Layers};
+use crate::relief_method::Search;
+use crate::relief_rays::{Sight, anywhere};
+use crate::relief_seeker::Seeker;
+use crate::relief_tables::SearchTables;
+use crate::runner::{Observer, Study};
+use crate::{Norms, Quantity, Record, Scale, Scene, Setting, StudyError, reliefs, tables};
+
+/// Angles of the rays from the normal, degrees.
+pub(crate) const ANGLES: [f64; 4] = [10.0, 35.0, 60.0, 75.0];
+
+/// The angle from the normal that tables are baked to, degrees.
+const MAX_POLAR: f64 = 80.0;
+
+/// What the searches are called that start at the top.
+const FROM_TOP: [Search; 2] = [Search::Cones, Search::Linear];
+
+/// The study: every table on every relief.
+pub struct Starts<'a> {
+    /// Texels along the sides of tables.
+    pub sizes: &'static [u32],
+    /// Rays per relief and angle.
+    pub rays: u64,
+    /// How bakes run.
+    pub exec: &'a Exec<'a>,
+}
+
+/// What is true of a relief's rays, and what does without hemispheres.
+pub struct Truth {
+    surface: barchan_shade::Surface,
+    cones: SearchTables,
+    sights: Vec<(f64, Vec<Sight>)>,
+}
+
+/// The study and its reliefs.
+///
+/// # Errors
+/// A relief that cannot be made.
+pub fn parts<'a>(scale: Scale, exec: &'a Exec<'a>) -> Result<(Starts<'a>, Vec<Scene>), StudyError> {
+    let (texels, sizes, rays): (_, &[u32], _) = match scale {
+        Scale::Full => (256, &[16, 32, 64, 128, 256], 10_000),
+        Scale::Quick => (32, &[8, 16], 50),
+    };
+    let scenes = reliefs::FIVE.map(|name| reliefs::by_name(name, texels)).into_iter().collect::<Result<_, _>>()?;
+    Ok((Starts { sizes, rays, exec }, scenes))
+}
+
+impl Study for Starts<'_> {
+    type Setting = Option<HemisphereSpec>;
+    type Truth = Truth;
+
+    /// None is no table.
+    fn settings(&self) -> Vec<Option<HemisphereSpec>> {
+        let at = |spec: HemisphereSpec| move |&size: &u32| HemisphereSpec { size, ..spec };
+        let middle = self.sizes[self.sizes.len() / 2];
+        let conservative = HemisphereSpec { size: middle, ..HemisphereSpec::conservative(MAX_POLAR) };
+        let nearest = HemisphereSpec::paper(MAX_POLAR);
+        let half = HemisphereSpec { encoding: Encoding::F16, ..conservative };
+        let grids = [(32, 16, RingSpacing::EqualAngles), (16, 32, RingSpacing::SquaredTangents), (16, 32, RingSpacing::EqualAngles)];
+        let grids = grids.map(|(rings, azimuths, spacing)| HemisphereSpec { rings, azimuths, spacing, ..conservative });
+        let conservatives = self.sizes.iter().map(at(conservative)).chain([half]).chain(grids);
+        [None].into_iter().chain(conservatives.chain(self.sizes.iter().map(at(nearest))).map(Some)).collect()
+    }
+
+    fn truth(&self, scene: &Scene) -> Result<Truth, StudyError> {
+        let surface = tables::surface(&scene.field)?;
+        let cones = SearchTables::bake(&scene.field, &FROM_TOP, self.exec)?;
+        let relief = Relief::new(&surface);
+        let width = scene.field.grid().width;
+        let sights = ANGLES.map(|angle| (angle, anywhere(&relief, width, angle, self.rays))).into();
+        Ok(Truth { surface, cones, sights })
+    }
+
+    fn measure(&self, scene: &Scene, truth: &Truth, setting: &Option<HemisphereSpec>) -> Result<Vec<Record>, StudyError> {
+        match setting {
+            None => truth.from_top(scene),
+            Some(spec) => self.from_table(scene, truth, spec),
+        }
+    }
+}
+
+impl Starts<'_> {
+    fn from_table(&self, scene: &Scene, truth: &Truth, spec: &HemisphereSpec) -> Result<Vec<Record>, StudyError> {
+        let stored = spec.bake(&scene.field, Layers::AtAngles(&ANGLES), self.exec)?;
+        let relief = Relief::new(&truth.surface);
+        let search = truth.cones.search(&relief, Search::Cones)?;
+        let seeker = Seeker { search, start: Some(DepthMapStart::new(&stored.view()?)) };
+        let records = truth.sights.iter().flat_map(|(angle, sights)| {
+            let setting = spec.setting().with("angle", angle);
+            let blank = |what: &str| {
+                let record = Record::new(what, setting.clone(), scene);
+                Record { bytes: Some(stored.bytes()), ..record }
+            };
+            [starts(blank("relief_start"), &seeker, sights), seeker.judge(blank("relief_search"), sights)]
+        });
+        Ok(records.collect())
+    }
+}
+
+impl Truth {
+    fn from_top(&self, scene: &Scene) -> Result<Vec<Record>, StudyError> {
+        let relief = Relief::new(&self.surface);
+        let mut records = Vec::new();
+        for (angle, sights) in &self.sights {
+            let depths = sights.iter().map(|sight| sight.hit).sum::<f64>() / sights.len() as f64;
+            let record = Record::new("relief_start", Setting::default().with("mode", "true").with("angle", angle), scene);
+            let samples = Some(sights.len() as u64);
+            records.push(Record { quantity: Some(Quantity::StartDepth), samples, mean: Some(depths), ..record });
+            for search in FROM_TOP {
+                let setting = Setting::default().with("search", search.name()).with("angle", angle);
+                let seeker = Seeker { search: self.cones.search(&relief, search)?, start: None };
+                let record = Record { bytes: Some(self.cones.weight(search).0), ..Record::new("relief_search", setting, scene) };
+                records.push(seeker.judge(record, sights));
+            }
+        }
+        Ok(records)
+    }
+}
+
+/// The record with the starts: how deep, and how many behind the true hit.
+fn starts(record: Record, seeker: &Seeker<'_>, sights: &[Sight]) -> Record {
+    let depths: Vec<f64> = sights.iter().map(|sight| seeker.start(&sight.ray).depth).collect();
+    let errors: Vec<f64> = depths.iter().zip(sights).map(|(depth, sight)| depth - sight.hit).collect();
+    let count = sights.len() as f64;
+    let behind = errors.iter().filter(|error| **error > 0.0).count();
+    Record {
+        wrong_share: Some(behind as f64 / count),
+        mean: Some(depths.iter().sum::<f64>() / count),
+        ..record.with_norms(Quantity::StartDepth, &Norms::of(&errors))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run;
+
+    fn records() -> Vec<Record> {
+        let exec = Exec::new(1).unwrap();
+        let (study, scenes) = parts(Scale::Quick, &exec).unwrap();
+        run(&study, &scenes, &mut |_| ()).unwrap()
+    }
+
+    fn starts_of<'a>(records: &'a [Record], mode: &'a str) -> impl Iterator<Item = &'a Record> {
+        records.iter().filter(move |record| record.technique == "relief_start" && record.setting.get("mode") == Some(mode))
+    }
+
+    #[test]
+    fn no_conservative_start_is_behind_its_hit_and_some_nearest_ones_are() {
+        let records = records();
+        assert!(starts_of(&records, "conservative").all(|record| record.wrong_share == Some(0.0)));
+        assert!(starts_of(&records, "nearest").any(|record| record.wrong_share > Some(0.0)));
+    }
+
+    #[test]
+    fn starts_are_above_the_truth_on_average_and_finer_tables_start_lower() {
+        let records = records();
+        let mean = |mode, size: Option<&str>| {
+            let of = starts_of(&records, mode).filter(|record| record.setting.get("size") == size);
+            of.filter_map(|record| record.mean).sum::<f64>()
+        };
+        let [coarse, fine] = ["8", "16"].map(|size| mean("conservative", Some(size)) / if size == "16" { 5.0 } else { 1.0 });
+        assert!(coarse > 0.0 && coarse < fine && fine < mean("true", None), "{coarse} {fine}");
+    }
+}
