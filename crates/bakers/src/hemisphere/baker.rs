@@ -48,7 +48,7 @@ impl HemisphereBaker {
         let mode = match params.mode {
             DepthMode::Nearest => Mode::Nearest(NearestBaker::new(depths, &params)?),
             // A mode that is not known here gets the depths that are never too great.
-            _ => Mode::Conservative(ConservativeBaker::new(depths, &params, exec)?),
+            _ => Mode::Conservative(ConservativeBaker::new(&depths, &params, exec)?),
         };
         Ok(Self { params, relief, mode })
     }

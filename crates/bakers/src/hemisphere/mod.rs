@@ -6,7 +6,11 @@ pub(crate) mod depths;
 mod map;
 mod nearest;
 mod params;
+mod path;
+pub(crate) mod ray;
+mod reduce;
 pub mod reference;
+mod windows;
 
 pub use baker::{HemisphereBaker, bake};
 pub use map::HemisphereMap;

@@ -1,0 +1,107 @@
+//! Depths that no ray of a cell can meet the relief above, with a proof.
+//!
+//! # What is bounded
+//!
+//! A ray enters the top plane at a place x and stands at x + d·q at depth d, q being its way over the grid from depth 0 to depth 1. A table's
+//! value holds for a set of rays: every x of a texel's footprint F, every q of a cell of directions Q. With the surface at depth D(p)
+//! under a place p, a ray's first hit is h(x, q) = min { d : D(x + d·q) ≤ d }. It exists, as D is continuous and D ≤ 1. Two infima may be
+//! taken in any order, so the least first hit of all rays is
+//!
+//! B = inf { d : some ray stands at depth d at a place with D ≤ d }.
+//!
+//! No ray has to be followed for it: places and depths are enough.
+//!
+//! # The bound
+//!
+//! Depth is cut into slabs \[dᵢ, eᵢ\]. The value is dᵢ of the first slab in which a cell of the bilinear surface that is *reached* has a
+//! corner that is *high enough*:
+//! - reached: it has a place in common with F + \[dᵢ, eᵢ\]·Q, everywhere that the rays stand in the slab ([`reach`]);
+//! - high enough: its least corner depth is at most eᵢ ([`cells`]).
+//!
+//! *Proof.* Let a ray of the set hit first at h, in slab i, at the place p. Then p lies in F + \[dᵢ, eᵢ\]·Q, so the bilinear cell that holds p is
+//! reached. A bilinear depth is a mean of the corners', so the least of them is at most D(p) ≤ h ≤ eᵢ: the cell is high enough. The first slab
+//! with such a cell is therefore slab i or an earlier one, and its dᵢ is at most h. ∎
+//!
+//! Depths and tangents of a slab and a cell of directions only appear as products, so F + \[dᵢ, eᵢ\]·Q is one sector of a ring, widened by the
+//! footprint: cutting the cell of directions any finer gains nothing. What is given away is the depth of a slab, 1/255, what the sector moves
+//! within it, and the rest of each cell that the sector touches.
+//!
+//! # Margins
+//!
+//! A shader works in f32, or less. The promise holds for
+//! - a look-up that lands up to 2⁻¹⁰ of a table's texel, or about 2⁻¹⁰ of a cell of directions, beyond what it should: F and Q are widened by
+//!   as much. This covers rounding of places, too: a ray a little off is a ray nearby;
+//! - depths of surface and ray that are wrong by up to 2⁻²¹: values are 2⁻²⁰ less than they could be. Depths here are f32, wrong by
+//!   2⁻²⁵, and a cell is high enough 2⁻²² early.
+//!
+//! Bytes hold the values without loss: see [`slabs`].
+//!
+//! # How it is fast
+//!
+//! Where cells high enough lie is one bit per cell, and a row of target texels asks for the same cells around each of its texels: the
+//! answer for 64 columns of the source is the bitwise or of a few shifted words ([`row_masks`]). Every column of the source is answered for,
+//! whatever the size of the table; a texel takes the first slab of the columns that it covers. Least depths over boxes
+//! (windows of 2ᵏ × 2ᵏ texels, a march in slabs for each texel) give the same bound at some thirty times the price, and a
+//! looser one where boxes stand around a slanting sector.
+
+use std::ops::Range;
+
+use barchan_asset::HemisphereDirections;
+
+use self::cells::Cells;
+use self::reach::Reach;
+use self::rows::TargetRows;
+use super::HemisphereParams;
+use super::depths::Depths;
+use crate::{BakeError, Exec};
+
+mod cells;
+mod reach;
+mod row_masks;
+mod rows;
+mod sector;
+mod slabs;
+
+/// What the conservative mode keeps of a field: 4 bytes a texel and 1 KiB a row.
+pub(super) struct ConservativeBaker {
+    cells: Cells,
+    directions: HemisphereDirections,
+    target: Target,
+    /// How far a ray of tangent 1 moves from the top plane down to depth 1, in columns and in rows.
+    texels_per_tangent: (f64, f64),
+}
+
+/// The size of the table.
+#[derive(Debug, Clone, Copy)]
+struct Target {
+    width: u32,
+    height: u32,
+}
+
+impl ConservativeBaker {
+    /// Prepares what all layers share. `params` have been accepted for the field.
+    pub(super) fn new(depths: &Depths, params: &HemisphereParams, exec: &Exec) -> Result<Self, BakeError> {
+        let (spacing, thickness) = (depths.grid.spacing, depths.relief.thickness);
+        Ok(Self {
+            cells: Cells::new(depths, exec)?,
+            directions: params.directions,
+            target: Target { width: params.width, height: params.height },
+            texels_per_tangent: (thickness / spacing.u(), thickness / spacing.v()),
+        })
+    }
+}
+
+/// Fills some rows of the table in one layer: `values` are `rows.len()` rows of the target's width. It may be called for any rows of any
+/// layer from several threads at once.
+pub(super) fn bake_rows(baker: &ConservativeBaker, layer: u32, rows: Range<u32>, values: &mut [f32]) {
+    let sector = sector::Sector::of_layer(&baker.directions, layer, baker.texels_per_tangent);
+    let reach = Reach::new(&baker.cells, baker.target, sector);
+    let mut rows = TargetRows::new(&baker.cells, baker.target, rows);
+    for slab in 0..slabs::COUNT {
+        if rows.are_done() {
+            break;
+        }
+        rows.hit(slab, &reach);
+    }
+    rows.write(values);
+}

@@ -1,0 +1,4 @@
+//! What a hemisphere depth map promises, through the crate's public face.
+
+mod agreement;
+mod support;
