@@ -110,7 +110,7 @@ impl Entry {
             return Some(SectionFault::UnknownCritical);
         }
         if !self.is_known() {
-            return Some(SectionFault::Version { found: self.version });
+            return Some(SectionFault::Version { found: self.version, newest: *self.kind.versions().end() });
         }
         match Codec::from_number(self.codec) {
             Some(_) => None,

@@ -2,7 +2,6 @@
 
 use core::fmt;
 
-use crate::SECTION_VERSION;
 use crate::SectionKind;
 use crate::asset::{HEADER_BYTES, MAGIC, MAJOR, MAX_SECTIONS};
 use crate::entry::MAX_DESCRIPTOR_BYTES;
@@ -92,6 +91,8 @@ pub enum SectionFault {
     Version {
         /// The section's version.
         found: u16,
+        /// The newest one that it knows.
+        newest: u16,
     },
     /// A critical section in a codec this reader does not know.
     Codec {
@@ -215,8 +216,8 @@ impl fmt::Display for SectionFault {
             Self::Duplicate => write!(f, "the kind occurs twice; kinds are unique within a file"),
             Self::Flags { found } => write!(f, "flags are {found:#010x}; only bit 0 (critical) is defined"),
             Self::UnknownCritical => write!(f, "the section is critical and this reader does not know its kind"),
-            Self::Version { found } => {
-                write!(f, "the section is critical and has version {found}; this reader reads 1 to {SECTION_VERSION}")
+            Self::Version { found, newest } => {
+                write!(f, "the section is critical and has version {found}; the newest this reader reads is {newest}")
             }
             Self::Codec { found } => {
                 write!(f, "the section is critical and has codec {found}; 0 (raw) and 1 (zstd) are accepted")

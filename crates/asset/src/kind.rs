@@ -10,7 +10,7 @@ use crate::{CURVATURE_VERSION, SECTION_VERSION, Semantic};
 pub struct SectionKind(pub [u8; 4]);
 
 /// Every kind this version knows, and its name. All lists of kinds derive from this one.
-const KNOWN: [(SectionKind, &str); 10] = [
+const KNOWN: [(SectionKind, &str); 14] = [
     (SectionKind::HEIGHT, "height"),
     (SectionKind::HORIZON, "horizon"),
     (SectionKind::DISTANCE, "distance"),
@@ -19,6 +19,10 @@ const KNOWN: [(SectionKind, &str); 10] = [
     (SectionKind::SKY_VISIBILITY, "sky_visibility"),
     (SectionKind::BENT_NORMAL, "bent_normal"),
     (SectionKind::APERTURE_CONE, "aperture_cone"),
+    (SectionKind::HEMISPHERE, "hemisphere"),
+    (SectionKind::CONE_MAP, "cone_map"),
+    (SectionKind::RELAXED_CONE_MAP, "relaxed_cone_map"),
+    (SectionKind::MAXIMUM_MIP, "maximum_mip"),
     (SectionKind::CURVATURE, "curvature"),
     (SectionKind::PROVENANCE, "provenance"),
 ];
@@ -40,6 +44,14 @@ impl SectionKind {
     pub const BENT_NORMAL: Self = Self(*b"BENT");
     /// The cone of directions towards the visible sky: unit axis and cosine of the half-angle.
     pub const APERTURE_CONE: Self = Self(*b"CONE");
+    /// Depths at which rays of a cell of directions first meet the relief, one layer per cell.
+    pub const HEMISPHERE: Self = Self(*b"HEMI");
+    /// Depth and the ratio of a cone that the relief stays out of.
+    pub const CONE_MAP: Self = Self(*b"CNMP");
+    /// Depth and the ratio of a cone in which a ray pierces the relief once at most.
+    pub const RELAXED_CONE_MAP: Self = Self(*b"RCMP");
+    /// The greatest heights of cells between texels, and of squares of them, in the field's length unit.
+    pub const MAXIMUM_MIP: Self = Self(*b"MXMP");
     /// Curvature per vertex of a mesh.
     pub const CURVATURE: Self = Self(*b"CURV");
     /// How the file came about: UTF-8 JSON.
@@ -81,10 +93,13 @@ impl SectionKind {
         match self {
             Self::PROVENANCE => 1..=1,
             Self::CURVATURE => CURVATURE_VERSION..=CURVATURE_VERSION,
-            Self::HEIGHT | Self::HORIZON | Self::DISTANCE => 1..=SECTION_VERSION,
-            // Born with version 2 of the descriptor they share.
-            _ if self.name().is_some() => 2..=SECTION_VERSION,
-            _ => RangeInclusive::new(1, 0),
+            Self::HEIGHT | Self::HORIZON | Self::DISTANCE => 1..=2,
+            // Born with a later version of the descriptor they share.
+            _ => match Semantic::of_kind(self) {
+                Some(semantic) if semantic.is_relief_search() => 3..=SECTION_VERSION,
+                Some(_) => 2..=2,
+                None => RangeInclusive::new(1, 0),
+            },
         }
     }
 

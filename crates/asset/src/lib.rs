@@ -77,7 +77,10 @@ pub use curvature::{
 };
 pub use descriptor::{DescriptorError, MAX_EXTENT, MAX_LAYERS, SECTION_VERSION, TextureDescriptor};
 pub use error::{OpenError, SectionFault};
-pub use hemisphere::{DepthMode, HemisphereDirections, ReliefRange, RingSpacing};
+pub use hemisphere::{
+    ConeMapView, DepthMode, HemisphereDirections, HemisphereView, MaximumMipView, RelaxedConeMapView, ReliefRange,
+    RingSpacing,
+};
 pub use kind::SectionKind;
 pub use limits::Limits;
 #[cfg(feature = "zstd")]
@@ -93,8 +96,9 @@ pub use view::TableView;
 pub use views::{DistanceView, HeightView, HorizonView, SweptDistanceView, SweptHorizonView};
 #[cfg(feature = "write")]
 pub use write::{
-    ApertureConeTable, AssetStream, AssetWriter, BentNormalTable, CurvatureSweep, CurvatureTable, DistanceTable,
-    EncodeError, EncodedCurvature, Encoding, EncodingLoss, Finished, HeightTable, HorizonTable, LayerMeasure,
-    RawSection, SkyVisibilityTable, SweptDistanceTable, SweptHorizonTable, TableEncoder, TableFacts, TableGrid,
-    TextureTable, WriteError, content_identity,
+    ApertureConeTable, AssetStream, AssetWriter, BentNormalTable, ConeMapTable, CurvatureSweep, CurvatureTable,
+    DistanceTable, EncodeError, EncodedCurvature, Encoding, EncodingLoss, Finished, HeightTable, HemisphereTable,
+    HorizonTable, LayerMeasure, MaximumMipTable, RawSection, RelaxedConeMapTable, SkyVisibilityTable,
+    SweptDistanceTable, SweptHorizonTable, TableEncoder, TableFacts, TableGrid, TextureTable, WriteError,
+    content_identity,
 };

@@ -171,7 +171,7 @@ impl<'a> Section<'a> {
         let kind = self.kind();
         let expected = Semantic::of_kind(kind).ok_or(DescriptorError::NotATexture { kind })?;
         if !self.is_known() {
-            return Err(DescriptorError::Version { found: self.version() });
+            return Err(DescriptorError::Version { found: self.version(), newest: *kind.versions().end() });
         }
         let descriptor = TextureDescriptor::parse(self.descriptor_bytes(), self.version())?;
         descriptor.expect(expected)?;

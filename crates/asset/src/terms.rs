@@ -125,7 +125,7 @@ pub enum Transfer {
     Identity,
     /// t is the sine of the value, an elevation: a shadow test compares sines and never needs the angle.
     Sine,
-    /// t² is the value, a distance: near points are resolved more finely than far ones.
+    /// t² is the value, a distance or the ratio of a cone: small ones are resolved more finely than large ones.
     Square,
 }
 
@@ -150,16 +150,26 @@ pub enum Semantic {
     BentNormal,
     /// The cone of directions towards the visible sky: its axis and the cosine of its half-angle.
     ApertureCone,
+    /// The depth at which rays of a cell of directions first meet the relief.
+    HemisphereDepth,
+    /// Depth, and the ratio of the widest cone above it that the relief stays out of.
+    ConeMap,
+    /// Depth, and the ratio of the widest cone in which a ray pierces the relief once at most.
+    RelaxedConeMap,
+    /// The greatest height of a cell between texels, and of squares of cells level by level.
+    MaximumHeight,
 }
 
 numbered!(Semantic:
     Height = 1 "height", HorizonElevation = 2 "horizon elevation", HorizonDistance = 3 "horizon distance",
     SweptElevation = 4 "swept horizon elevation", SweptDistance = 5 "swept horizon distance",
-    SkyVisibility = 6 "sky visibility", BentNormal = 7 "bent normal", ApertureCone = 8 "aperture cone");
+    SkyVisibility = 6 "sky visibility", BentNormal = 7 "bent normal", ApertureCone = 8 "aperture cone",
+    HemisphereDepth = 9 "hemisphere depth", ConeMap = 10 "cone map", RelaxedConeMap = 11 "relaxed cone map",
+    MaximumHeight = 12 "maximum height");
 
 impl Semantic {
     /// Every semantic, by number.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 12] = [
         Self::Height,
         Self::HorizonElevation,
         Self::HorizonDistance,
@@ -168,7 +178,16 @@ impl Semantic {
         Self::SkyVisibility,
         Self::BentNormal,
         Self::ApertureCone,
+        Self::HemisphereDepth,
+        Self::ConeMap,
+        Self::RelaxedConeMap,
+        Self::MaximumHeight,
     ];
+
+    /// The semantics of version 2 of the descriptor, for messages.
+    pub(crate) const ACCEPTED_IN_VERSION_2: &'static str = "1 (height) to 8 (aperture cone)";
+    /// The semantics of version 3 of the descriptor, for messages.
+    pub(crate) const ACCEPTED_IN_VERSION_3: &'static str = "9 (hemisphere depth) to 12 (maximum height)";
 
     /// The semantics of version 1 of the descriptor, for messages.
     pub(crate) const ACCEPTED_IN_VERSION_1: &'static str = "1 (height), 2 (horizon elevation), 3 (horizon distance)";
@@ -185,6 +204,10 @@ impl Semantic {
             Self::SkyVisibility => SectionKind::SKY_VISIBILITY,
             Self::BentNormal => SectionKind::BENT_NORMAL,
             Self::ApertureCone => SectionKind::APERTURE_CONE,
+            Self::HemisphereDepth => SectionKind::HEMISPHERE,
+            Self::ConeMap => SectionKind::CONE_MAP,
+            Self::RelaxedConeMap => SectionKind::RELAXED_CONE_MAP,
+            Self::MaximumHeight => SectionKind::MAXIMUM_MIP,
         }
     }
 
@@ -194,16 +217,41 @@ impl Semantic {
         Self::ALL.into_iter().find(|semantic| semantic.kind() == kind)
     }
 
-    /// Whether layers belong to azimuths.
+    /// Whether layers belong to azimuths: one each, or for each one per candidate or ring.
     #[must_use]
     pub fn is_directional(self) -> bool {
-        self.is_elevation() || self.is_distance()
+        self.is_elevation() || self.is_distance() || self == Self::HemisphereDepth
     }
 
     /// Whether there are several candidates per azimuth.
     #[must_use]
     pub fn is_swept(self) -> bool {
         matches!(self, Self::SweptElevation | Self::SweptDistance)
+    }
+
+    /// Whether a texel is a depth and the ratio of a cone.
+    #[must_use]
+    pub fn is_cone_map(self) -> bool {
+        matches!(self, Self::ConeMap | Self::RelaxedConeMap)
+    }
+
+    /// Whether the table speeds up the search for where a ray meets the relief; those have version 3 of the descriptor.
+    #[must_use]
+    pub fn is_relief_search(self) -> bool {
+        matches!(self, Self::HemisphereDepth | Self::ConeMap | Self::RelaxedConeMap | Self::MaximumHeight)
+    }
+
+    /// Whether values are depths, so that the descriptor says where depth 0 and 1 are.
+    #[must_use]
+    pub fn has_depths(self) -> bool {
+        self == Self::HemisphereDepth || self.is_cone_map()
+    }
+
+    /// Whether stored numbers of a channel are values as they are: `scale`, `bias` and `transfer` are of the others. So
+    /// are the depths of a cone map.
+    #[must_use]
+    pub fn is_plain(self, channel: u32) -> bool {
+        self.is_cone_map() && channel == 0
     }
 
     pub(crate) fn is_elevation(self) -> bool {
@@ -218,7 +266,7 @@ impl Semantic {
     #[must_use]
     pub fn channels(self) -> u32 {
         match self {
-            Self::BentNormal => 2,
+            Self::BentNormal | Self::ConeMap | Self::RelaxedConeMap => 2,
             Self::ApertureCone => 4,
             _ => 1,
         }
@@ -229,8 +277,11 @@ impl Semantic {
     pub fn unit(self, length_unit: LengthUnit) -> Unit {
         match self {
             Self::HorizonElevation | Self::SweptElevation => Unit::Radian,
-            Self::Height | Self::HorizonDistance | Self::SweptDistance => Unit::Length(length_unit),
+            Self::Height | Self::HorizonDistance | Self::SweptDistance | Self::MaximumHeight => {
+                Unit::Length(length_unit)
+            }
             Self::SkyVisibility | Self::BentNormal | Self::ApertureCone => Unit::None,
+            Self::HemisphereDepth | Self::ConeMap | Self::RelaxedConeMap => Unit::None,
         }
     }
 
@@ -239,7 +290,7 @@ impl Semantic {
         match transfer {
             Transfer::Identity => true,
             Transfer::Sine => self.is_elevation(),
-            Transfer::Square => self.is_distance(),
+            Transfer::Square => self.is_distance() || self.is_cone_map(),
         }
     }
 }
@@ -350,9 +401,11 @@ numbered!(Wrap: Repeat = 1 "repeat", Clamp = 2 "clamp");
 pub enum Filter {
     /// Bilinear within a layer. Layers of a directional table are interpolated by the reader: [`crate::Azimuths`].
     Linear,
+    /// The texel whose area holds the place: what is true of one texel's area is not true of a mixture.
+    Nearest,
 }
 
-numbered!(Filter: Linear = 1 "linear");
+numbered!(Filter: Linear = 1 "linear", Nearest = 2 "nearest");
 
 /// How four texels become one on the next coarser mip level.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -394,6 +447,6 @@ mod tests {
     #[test]
     fn messages_list_what_is_accepted() {
         assert!(Format::ACCEPTED.starts_with("9 (R8_UNORM), 16 (R8G8_UNORM), "));
-        assert_eq!(Filter::ACCEPTED, "1 (linear)");
+        assert_eq!(Filter::ACCEPTED, "1 (linear), 2 (nearest)");
     }
 }

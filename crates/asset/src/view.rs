@@ -2,14 +2,17 @@
 
 use crate::bytes::{array_at, u16_at};
 use crate::half::f16_to_f32;
-use crate::{Component, DescriptorError, TextureDescriptor};
+use crate::{Component, DescriptorError, TextureDescriptor, Transfer};
 
 /// A descriptor and its decoded payload, checked once to belong together.
 ///
 /// # Decoding
 /// `t = scale · stored + bias` in f32, the product rounded before the sum is; `stored` is k / 255 rounded to f32, the
-/// half, or the float. The value is [`crate::Transfer::value`] of t. A shader may fuse product and sum or flush
-/// subnormals: the descriptor's worst-case error covers that.
+/// half, or the float. The value is [`crate::Transfer::value`] of t; of a channel that [`crate::Semantic::is_plain`] it
+/// is `stored`. A shader may fuse product and sum or flush subnormals: the descriptor's worst-case error covers that.
+///
+/// # Mip levels
+/// A table with several has one layer, and each `layer` below is a level: [`TextureDescriptor::pictures`].
 ///
 /// # Trust
 /// The payload's numbers are not looked at here. A hostile file can hold NaN or values outside the stated range:
@@ -54,16 +57,16 @@ impl<'a> TableView<'a> {
     /// If there is no such layer.
     #[must_use]
     pub fn layer(&self, layer: u32) -> &'a [u8] {
-        assert!(layer < self.descriptor.layers, "layer {layer} of {}", self.descriptor.layers);
-        let start = self.descriptor.layer_offset(layer) as usize;
-        &self.payload[start..start + self.descriptor.layer_bytes() as usize]
+        assert!(layer < self.descriptor.pictures(), "layer {layer} of {}", self.descriptor.pictures());
+        let start = self.descriptor.picture_offset(layer) as usize;
+        &self.payload[start..start + self.descriptor.picture_bytes(layer) as usize]
     }
 
     /// The bytes between a layer and the next, which are zero in a valid file; empty behind the last.
     #[must_use]
     pub fn layer_padding(&self, layer: u32) -> &'a [u8] {
-        let start = self.descriptor.layer_offset(layer).saturating_add(self.descriptor.layer_bytes());
-        let end = self.descriptor.layer_offset(layer.saturating_add(1)).min(self.payload.len() as u64);
+        let start = self.descriptor.picture_offset(layer).saturating_add(self.descriptor.picture_bytes(layer));
+        let end = self.descriptor.picture_offset(layer.saturating_add(1)).min(self.payload.len() as u64);
         self.payload.get(start as usize..end as usize).unwrap_or(&[])
     }
 
@@ -82,7 +85,7 @@ impl<'a> TableView<'a> {
     /// If there is no such texel or channel.
     #[must_use]
     pub fn channel(&self, layer: u32, column: u32, row: u32, channel: u32) -> f32 {
-        self.descriptor.transfer.value(self.before_transfer(layer, column, row, channel))
+        self.transferred(self.before_transfer(layer, column, row, channel), channel as usize)
     }
 
     /// `scale · stored + bias` of one channel of a texel: with [`crate::Transfer::Sine`] the sine of the elevation.
@@ -91,11 +94,12 @@ impl<'a> TableView<'a> {
     /// If there is no such texel or channel.
     #[must_use]
     pub fn before_transfer(&self, layer: u32, column: u32, row: u32, channel: u32) -> f32 {
-        let TextureDescriptor { width, height, format, .. } = self.descriptor;
+        let (width, height) = self.descriptor.picture_extent(layer);
+        let channels = self.descriptor.format.channels();
         assert!(column < width && row < height, "texel ({column}, {row}) of {width} × {height}");
-        assert!(channel < format.channels(), "channel {channel} of {}", format.channels());
+        assert!(channel < channels, "channel {channel} of {channels}");
         let texel = row as usize * width as usize + column as usize;
-        self.number(self.layer(layer), texel * format.channels() as usize + channel as usize)
+        self.number(self.layer(layer), texel * channels as usize + channel as usize)
     }
 
     /// The decoded values of one row, left to right; the channels of a texel follow each other.
@@ -103,15 +107,15 @@ impl<'a> TableView<'a> {
     /// # Panics
     /// If there is no such row.
     pub fn row(&self, layer: u32, row: u32) -> impl ExactSizeIterator<Item = f32> + use<'a> {
-        let (texels, transfer) = (self.row_bytes(layer, row), self.descriptor.transfer);
+        let (texels, view) = (self.row_bytes(layer, row), *self);
         // In a long row there are fewer different bytes than there are bytes, and an arcsine is dear.
-        let bytes_are_few = self.descriptor.format.component() == Component::Unorm8 && texels.len() > 256;
-        let value_of_byte = bytes_are_few
-            .then(|| core::array::from_fn::<f32, 256, _>(|byte| transfer.value(self.number(&[byte as u8], 0))));
-        let (view, numbers) = (*self, self.row_numbers());
-        (0..numbers).map(move |index| match &value_of_byte {
+        let dear =
+            self.descriptor.transfer == Transfer::Sine && self.descriptor.format.component() == Component::Unorm8;
+        let value_of_byte = (dear && texels.len() > 256)
+            .then(|| core::array::from_fn::<f32, 256, _>(|byte| self.transferred(self.number(&[byte as u8], 0), 0)));
+        (0..self.row_numbers(layer)).map(move |index| match &value_of_byte {
             Some(values) => values[usize::from(texels[index])],
-            None => transfer.value(view.number(texels, index)),
+            None => view.transferred(view.number(texels, index), index),
         })
     }
 
@@ -121,26 +125,39 @@ impl<'a> TableView<'a> {
     /// If there is no such row.
     pub fn row_before_transfer(&self, layer: u32, row: u32) -> impl ExactSizeIterator<Item = f32> + use<'a> {
         let (texels, view) = (self.row_bytes(layer, row), *self);
-        (0..self.row_numbers()).map(move |index| view.number(texels, index))
+        (0..self.row_numbers(layer)).map(move |index| view.number(texels, index))
     }
 
     fn row_bytes(&self, layer: u32, row: u32) -> &'a [u8] {
-        assert!(row < self.descriptor.height, "row {row} of {}", self.descriptor.height);
-        let row_bytes = self.descriptor.row_bytes() as usize;
+        let (width, height) = self.descriptor.picture_extent(layer);
+        assert!(row < height, "row {row} of {height}");
+        let row_bytes = width as usize * self.descriptor.format.texel_bytes() as usize;
         &self.layer(layer)[row as usize * row_bytes..][..row_bytes]
     }
 
     /// Texels of a row times channels.
-    fn row_numbers(&self) -> usize {
-        self.descriptor.width as usize * self.descriptor.format.channels() as usize
+    fn row_numbers(&self, layer: u32) -> usize {
+        self.descriptor.picture_extent(layer).0 as usize * self.descriptor.format.channels() as usize
     }
 
     /// `scale · stored + bias` of the `index`th number of `texels`.
     fn number(&self, texels: &[u8], index: usize) -> f32 {
-        match self.descriptor.format.component() {
-            Component::Unorm8 => self.scale * (f32::from(texels[index]) / 255.0) + self.bias,
-            Component::Float16 => self.scale * f16_to_f32(u16_at(texels, 2 * index)) + self.bias,
-            Component::Float32 => f32::from_le_bytes(array_at(texels, 4 * index)),
-        }
+        let stored = match self.descriptor.format.component() {
+            Component::Unorm8 => f32::from(texels[index]) / 255.0,
+            Component::Float16 => f16_to_f32(u16_at(texels, 2 * index)),
+            Component::Float32 => return f32::from_le_bytes(array_at(texels, 4 * index)),
+        };
+        if self.is_plain(index) { stored } else { self.scale * stored + self.bias }
+    }
+
+    /// The value of the `index`th number of a layer, from what it is before the transfer.
+    fn transferred(&self, t: f32, index: usize) -> f32 {
+        if self.is_plain(index) { t } else { self.descriptor.transfer.value(t) }
+    }
+
+    /// Whether the `index`th number of a layer is stored as it is.
+    fn is_plain(&self, index: usize) -> bool {
+        // A number of channels is a power of two.
+        self.descriptor.semantic.is_plain(index as u32 & (self.descriptor.format.channels() - 1))
     }
 }

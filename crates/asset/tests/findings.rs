@@ -153,8 +153,8 @@ fn a_message_names_what_is_accepted() {
         message(&|d| d.candidates = 2),
         "candidates is 2 of 3 layers; a divisor of the layers is accepted for a swept table, else 0"
     );
-    let version = TextureDescriptor::parse(&descriptor.to_bytes(), 3).unwrap_err();
-    assert_eq!(version, DescriptorError::Version { found: 3 });
+    let version = TextureDescriptor::parse(&descriptor.to_bytes(), 4).unwrap_err();
+    assert_eq!(version, DescriptorError::Version { found: 4, newest: 3 });
     assert_eq!(
         descriptor.azimuths().unwrap(),
         Azimuths::arc(-0.25 * std::f64::consts::PI, 0.25 * std::f64::consts::PI, 3)

@@ -302,7 +302,11 @@ fn refused_vectors_are_refused_by_name() {
     );
     assert_eq!(
         refusal("refused/newer-section"),
-        OpenError::Section { index: 0, kind: SectionKind::HORIZON, fault: SectionFault::Version { found: 3 } }
+        OpenError::Section {
+            index: 0,
+            kind: SectionKind::HORIZON,
+            fault: SectionFault::Version { found: 3, newest: 2 }
+        }
     );
     assert_eq!(refusal("refused/unknown-major"), OpenError::Major { found: 2 });
     assert_eq!(refusal("refused/required-feature"), OpenError::RequiredFeatures { unknown: 0x1_0000 });

@@ -3,11 +3,13 @@
 //! A baker opens no file, prints nothing and starts no thread of its own: how work runs is said by [`Exec`], which must
 //! not change a bit of the result.
 
+pub mod cone;
 pub mod curvature;
 mod error;
 mod exec;
 pub mod hemisphere;
 pub mod horizon;
+pub mod maximum_mip;
 mod memory;
 pub mod sky;
 pub mod swept;

@@ -49,7 +49,8 @@ pub use picture::{Palette, Picture, Pixels};
 pub use place::Place;
 pub use principal::PrincipalUv;
 pub use relief::{
-    Fetches, Found, LinearSearch, ParallaxOcclusion, Relief, ReliefRay, ReliefSearch, Start, TracedRelief,
+    ConeSteps, Fetches, Found, LinearSearch, MaximumMipTraversal, ParallaxOcclusion, RelaxedConeSteps, Relief,
+    ReliefRay, ReliefSearch, Start, TracedRelief,
 };
 pub use sky::SkyLight;
 pub use surface::Surface;

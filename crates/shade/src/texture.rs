@@ -71,6 +71,11 @@ impl Texture {
         self.height
     }
 
+    /// What lies beyond the edge along u and v.
+    pub(crate) fn wrap(&self) -> (Wrap, Wrap) {
+        self.wrap
+    }
+
     /// The lowest and the highest value.
     #[must_use]
     pub fn range(&self) -> (f32, f32) {

@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use super::{MAX_EXTENT, MAX_LAYERS, TextureDescriptor};
-use crate::{Component, DescriptorError, Format, Semantic, Transfer};
+use crate::{Component, DepthMode, DescriptorError, Filter, Format, RingSpacing, Semantic, Transfer};
 
 impl TextureDescriptor {
     /// Whether every field is within the format and all agree with each other.
@@ -16,14 +16,22 @@ impl TextureDescriptor {
         self.check_encoding()?;
         self.check_range()?;
         self.check_sweep()?;
-        self.check_geometry()
+        self.check_geometry()?;
+        self.check_relief()
+    }
+
+    /// Refuses what a section of that version cannot say.
+    pub(super) fn fits(&self, version: u16) -> Result<(), DescriptorError> {
+        let accepted = match version {
+            1 => return self.fits_version_1(),
+            2 => Semantic::ACCEPTED_IN_VERSION_2,
+            _ => Semantic::ACCEPTED_IN_VERSION_3,
+        };
+        word("semantic", self.semantic.number(), self.semantic.is_relief_search() == (version > 2), accepted)
     }
 
     /// Refuses what version 1 of the descriptor cannot say.
-    pub(super) fn fits_version_1(&self) -> Result<(), DescriptorError> {
-        let word = |field, found, holds, accepted| {
-            if holds { Ok(()) } else { Err(DescriptorError::Enumeration { field, found, accepted }) }
-        };
+    fn fits_version_1(&self) -> Result<(), DescriptorError> {
         let plain_format = self.format.channels() == 1;
         word("vk_format", self.format.number(), plain_format, Format::ACCEPTED_IN_VERSION_1)?;
         let known = matches!(self.semantic, Semantic::Height | Semantic::HorizonElevation | Semantic::HorizonDistance);
@@ -44,15 +52,21 @@ impl TextureDescriptor {
 
     fn check_extent(&self) -> Result<(), DescriptorError> {
         let max_layers = if self.semantic.is_directional() { MAX_LAYERS } else { 1 };
-        for (field, found, max) in [
-            ("width", self.width, MAX_EXTENT),
-            ("height", self.height, MAX_EXTENT),
-            ("layers", self.layers, max_layers),
-            ("mips", self.mips, 1),
+        let mips = if self.semantic == Semantic::MaximumHeight { self.levels_to_one_texel() } else { 1 };
+        let (min_rings, max_rings) = if self.semantic == Semantic::HemisphereDepth { (1, MAX_LAYERS) } else { (0, 0) };
+        for (field, found, min, max) in [
+            ("width", self.width, 1, MAX_EXTENT),
+            ("height", self.height, 1, MAX_EXTENT),
+            ("rings", self.rings, min_rings, max_rings),
+            ("layers", self.layers, 1, max_layers),
+            ("mips", self.mips, mips, mips),
         ] {
-            if found == 0 || found > max {
-                return Err(DescriptorError::Extent { field, found, min: 1, max });
+            if !(min..=max).contains(&found) {
+                return Err(DescriptorError::Extent { field, found, min, max });
             }
+        }
+        if !self.layers.is_multiple_of(self.rings.max(1)) {
+            return Err(DescriptorError::Rings { found: self.rings, layers: self.layers });
         }
         let (found, expected) = (self.format.channels(), self.semantic.channels());
         if found != expected {
@@ -66,7 +80,7 @@ impl TextureDescriptor {
         if self.unit != expected {
             let accepted = match self.semantic {
                 semantic if semantic.is_elevation() => "1 (radian) for elevations",
-                Semantic::Height | Semantic::HorizonDistance | Semantic::SweptDistance => {
+                Semantic::Height | Semantic::HorizonDistance | Semantic::SweptDistance | Semantic::MaximumHeight => {
                     "the same number as length_unit"
                 }
                 _ => "7 (none) for what is not an elevation or a length",
@@ -89,7 +103,13 @@ impl TextureDescriptor {
         if !self.semantic.allows(self.transfer) {
             return Err(DescriptorError::Transfer { found: self.transfer, semantic: self.semantic });
         }
-        Ok(())
+        let (filter, accepted) = match self.semantic {
+            Semantic::HemisphereDepth | Semantic::MaximumHeight => {
+                (Filter::Nearest, "2 (nearest) for hemisphere depths and maximum heights")
+            }
+            _ => (Filter::Linear, "1 (linear)"),
+        };
+        word("filter", self.filter.number(), self.filter == filter, accepted)
     }
 
     fn check_range(&self) -> Result<(), DescriptorError> {
@@ -97,7 +117,9 @@ impl TextureDescriptor {
         real("range_min", min, is_f32(min), "finite and exact as f32")?;
         real("range_max", max, is_f32(max) && min <= max, "range_min or more, finite and exact as f32")?;
         match self.semantic {
-            Semantic::Height => Ok(()),
+            Semantic::Height | Semantic::MaximumHeight => Ok(()),
+            // Which of the numbers are depths, a table knows.
+            Semantic::ConeMap | Semantic::RelaxedConeMap => real("range_min", min, min >= 0.0, "0 or more"),
             Semantic::HorizonElevation | Semantic::SweptElevation => {
                 real("range_min", min, min > -FRAC_PI_2, "above −π/2")?;
                 real("range_max", max, max < FRAC_PI_2, "below π/2")
@@ -106,7 +128,7 @@ impl TextureDescriptor {
                 real("range_min", min, min >= 0.0, "0 or more")?;
                 real("range_max", max, max <= self.search_radius, "search_radius or less")
             }
-            Semantic::SkyVisibility => {
+            Semantic::SkyVisibility | Semantic::HemisphereDepth => {
                 real("range_min", min, min >= 0.0, "0 or more")?;
                 real("range_max", max, max <= 1.0, "1 or less")
             }
@@ -122,8 +144,8 @@ impl TextureDescriptor {
             real(field, spacing, (1e-30..=1e30).contains(&spacing), "1e-30 to 1e30")?;
         }
         let radius = self.search_radius;
-        if self.semantic == Semantic::Height {
-            real("search_radius", radius, radius == 0.0, "0 for heights")?;
+        if self.semantic == Semantic::Height || self.semantic.is_relief_search() {
+            real("search_radius", radius, radius == 0.0, "0 where no horizon was searched")?;
         } else {
             real("search_radius", radius, radius > 0.0 && radius <= f64::from(f32::MAX), "above 0 and within f32")?;
         }
@@ -153,6 +175,45 @@ impl TextureDescriptor {
         real("curvature_min", min, min == 0.0, "0 for a table that is not swept")?;
         real("curvature_max", max, max == 0.0, "0 for a table that is not swept")
     }
+
+    fn check_relief(&self) -> Result<(), DescriptorError> {
+        let (top, thickness) = (self.relief_top, self.relief_thickness);
+        if self.semantic.has_depths() {
+            real("relief_top", top, top.is_finite(), "finite")?;
+            real("relief_thickness", thickness, thickness.is_finite() && thickness >= 0.0, "0 or more and finite")?;
+        } else {
+            real("relief_top", top, top == 0.0, "0 where there are no depths")?;
+            real("relief_thickness", thickness, thickness == 0.0, "0 where there are no depths")?;
+        }
+        self.check_cells()
+    }
+
+    fn check_cells(&self) -> Result<(), DescriptorError> {
+        let has_cells = self.semantic == Semantic::HemisphereDepth;
+        let (spacing, mode) = (self.ring_spacing, self.depth_mode);
+        for (field, found, known) in [
+            ("ring_spacing", spacing.map_or(0, RingSpacing::number), RingSpacing::ACCEPTED),
+            ("depth_mode", mode.map_or(0, DepthMode::number), DepthMode::ACCEPTED),
+        ] {
+            word(
+                field,
+                found,
+                (found != 0) == has_cells,
+                if has_cells { known } else { "0 where there are no rings" },
+            )?;
+        }
+        if !has_cells {
+            return real("max_polar", self.max_polar, self.max_polar == 0.0, "0 where there are no rings");
+        }
+        let step = self.azimuth_step;
+        real("azimuth_step", step, step > 0.0, "above 0: hemisphere depths want an arc of two azimuths or more")?;
+        let within = self.max_polar > 0.0 && self.max_polar < FRAC_PI_2;
+        real("max_polar", self.max_polar, within, "above 0 and below π/2")
+    }
+}
+
+fn word(field: &'static str, found: u32, holds: bool, accepted: &'static str) -> Result<(), DescriptorError> {
+    if holds { Ok(()) } else { Err(DescriptorError::Enumeration { field, found, accepted }) }
 }
 
 fn is_f32(value: f64) -> bool {

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{DESCRIPTOR_BYTES, SECTION_VERSION};
+use super::DESCRIPTOR_BYTES;
 use crate::{SectionKind, Semantic, Transfer};
 
 /// Why a texture descriptor, or the payload beside it, was refused.
@@ -18,6 +18,8 @@ pub enum DescriptorError {
     Version {
         /// The section's version.
         found: u16,
+        /// The newest one that is read.
+        newest: u16,
     },
     /// The descriptor has another length than 256 bytes.
     Length {
@@ -97,6 +99,13 @@ pub enum DescriptorError {
         /// The descriptor's layers.
         layers: u32,
     },
+    /// Rings that do not divide the layers of a hemisphere table, or rings of another table.
+    Rings {
+        /// The descriptor's rings.
+        found: u32,
+        /// The descriptor's layers.
+        layers: u32,
+    },
     /// The payload's length does not follow from the extent.
     PayloadLength {
         /// Bytes there are.
@@ -124,6 +133,7 @@ impl DescriptorError {
             Self::Transfer { .. } => "B0409",
             Self::Azimuths { .. } => "B0410",
             Self::Candidates { .. } => "B0411",
+            Self::Rings { .. } => "B0414",
         }
     }
 }
@@ -132,14 +142,17 @@ impl fmt::Display for DescriptorError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotATexture { kind } => write!(f, "a {kind} section is not a table of texels"),
-            Self::Version { found } => {
-                write!(f, "section version {found} is not supported; this reader reads 1 to {SECTION_VERSION}")
+            Self::Version { found, newest } => {
+                write!(f, "section version {found} is not supported; the newest this reader reads is {newest}")
             }
             Self::Length { found } => {
                 write!(f, "the texture descriptor has {found} bytes; {DESCRIPTOR_BYTES} are accepted")
             }
             Self::Reserved { offset } => write!(f, "the reserved descriptor byte at {offset} is not zero"),
             Self::Enumeration { field, found, accepted } => write!(f, "{field} is {found}; accepted: {accepted}"),
+            Self::Extent { field, found, min, max } if min == max => {
+                write!(f, "{field} is {found}; {min} is accepted")
+            }
             Self::Extent { field, found, min, max } => write!(f, "{field} is {found}; {min} to {max} is accepted"),
             Self::Number { field, found, accepted } => write!(f, "{field} is {found}; accepted: {accepted}"),
             Self::Semantic { found, expected } => {
@@ -168,6 +181,10 @@ impl fmt::Display for DescriptorError {
             Self::Candidates { found, layers } => write!(
                 f,
                 "candidates is {found} of {layers} layers; a divisor of the layers is accepted for a swept table, else 0"
+            ),
+            Self::Rings { found, layers } => write!(
+                f,
+                "rings is {found} of {layers} layers; a divisor of the layers is accepted for hemisphere depths, else 0"
             ),
         }
     }

@@ -2,15 +2,21 @@
 
 mod check;
 mod error;
+mod layout;
 
 pub use error::DescriptorError;
 
-use crate::bytes::{CHUNK_ALIGN, align_up, f64_at, first_nonzero, put, u32_at};
-use crate::{Azimuths, Filter, Format, LengthUnit, MipReducer, Semantic, Transfer, Unit, Wrap};
+use core::ops::Range;
+
+use crate::bytes::{f64_at, first_nonzero, put, u32_at};
+use crate::{
+    Azimuths, DepthMode, Filter, Format, HemisphereDirections, LengthUnit, MipReducer, ReliefRange, RingSpacing,
+    Semantic, Transfer, Unit, Wrap,
+};
 
 /// The newest section version of tables that this crate reads and writes; the oldest is 1. The texture descriptor has
 /// the version of its section.
-pub const SECTION_VERSION: u16 = 2;
+pub const SECTION_VERSION: u16 = 3;
 /// Bytes of a texture descriptor.
 pub(crate) const DESCRIPTOR_BYTES: usize = 256;
 /// The most texels along one axis.
@@ -21,10 +27,17 @@ pub const MAX_LAYERS: u32 = 2048;
 const TRANSFER_AT: usize = 128;
 const CANDIDATES_AT: usize = 132;
 const CURVATURE_AT: usize = 136;
+const RINGS_AT: usize = 152;
+const MAX_POLAR_AT: usize = 168;
+const RELIEF_AT: usize = 176;
 
-/// Where the bytes start that are zero in a descriptor of that version.
-fn reserved_at(version: u16) -> usize {
-    if version == 1 { TRANSFER_AT } else { CURVATURE_AT + 16 }
+/// The bytes that are zero in a descriptor of that version.
+fn reserved(version: u16) -> [Range<usize>; 2] {
+    match version {
+        1 => [TRANSFER_AT..DESCRIPTOR_BYTES, 0..0],
+        2 => [RINGS_AT..DESCRIPTOR_BYTES, 0..0],
+        _ => [RINGS_AT + 12..MAX_POLAR_AT, RELIEF_AT + 16..DESCRIPTOR_BYTES],
+    }
 }
 
 /// What a table of texels is: extent, meaning, and how stored numbers become values.
@@ -38,13 +51,14 @@ pub struct TextureDescriptor {
     pub width: u32,
     /// Texels along v, 1 to [`MAX_EXTENT`].
     pub height: u32,
-    /// The number of azimuths for directional tables, times `candidates` for swept ones, 1 to [`MAX_LAYERS`]; else 1.
+    /// The number of azimuths for directional tables, times `candidates` for swept and `rings` for hemispherical ones,
+    /// 1 to [`MAX_LAYERS`]; else 1.
     pub layers: u32,
-    /// Mip levels stored; always 1 in this version.
+    /// Mip levels stored: for maximum heights all down to one texel, else 1.
     pub mips: u32,
     /// What the texels mean.
     pub semantic: Semantic,
-    /// The unit of decoded values: radian for elevations, `length_unit` for lengths, else none.
+    /// The unit of decoded values: radian for elevations, `length_unit` for heights and distances, else none.
     pub unit: Unit,
     /// The unit of spacing, search radius and lengths.
     pub length_unit: LengthUnit,
@@ -72,9 +86,9 @@ pub struct TextureDescriptor {
     pub spacing_v: f64,
     /// Azimuth of layer 0 in radians, within ±2π; 0 for a full circle.
     pub first_azimuth: f64,
-    /// Azimuth from one layer to the next in radians, 2π / azimuths for a full circle; 0 where there is no direction.
+    /// From one azimuth to the next in radians, 2π / azimuths for a full circle; 0 where there is no direction.
     pub azimuth_step: f64,
-    /// How far the horizon was searched, in `length_unit`, above 0; 0 for heights.
+    /// How far the horizon was searched, in `length_unit`, above 0; 0 where no horizon was.
     pub search_radius: f64,
     /// What becomes of `scale · stored + bias`.
     pub transfer: Transfer,
@@ -84,6 +98,18 @@ pub struct TextureDescriptor {
     pub curvature_min: f64,
     /// The greatest such curvature.
     pub curvature_max: f64,
+    /// Rings of polar angles of a hemisphere table; else 0. Layer = ring · azimuths + azimuth.
+    pub rings: u32,
+    /// How the polar angle is cut; none where there are no rings.
+    pub ring_spacing: Option<RingSpacing>,
+    /// What a depth says about the rays of its cell; none where there are no rings.
+    pub depth_mode: Option<DepthMode>,
+    /// The polar angle at which the last ring ends, in radians, above 0 and below π/2; 0 where there are no rings.
+    pub max_polar: f64,
+    /// The height of depth 0, in `length_unit`; 0 where no values are depths.
+    pub relief_top: f64,
+    /// From depth 0 down to depth 1, in `length_unit`, 0 or more; 0 where no values are depths.
+    pub relief_thickness: f64,
 }
 
 impl TextureDescriptor {
@@ -94,19 +120,18 @@ impl TextureDescriptor {
     /// have, or whatever [`Self::check`] refuses.
     pub fn parse(bytes: &[u8], version: u16) -> Result<Self, DescriptorError> {
         if !(1..=SECTION_VERSION).contains(&version) {
-            return Err(DescriptorError::Version { found: version });
+            return Err(DescriptorError::Version { found: version, newest: SECTION_VERSION });
         }
         if bytes.len() != DESCRIPTOR_BYTES {
             return Err(DescriptorError::Length { found: bytes.len() as u64 });
         }
-        let reserved_at = reserved_at(version);
-        if let Some(at) = first_nonzero(&bytes[reserved_at..]) {
-            return Err(DescriptorError::Reserved { offset: reserved_at + at });
+        for reserved in reserved(version) {
+            if let Some(at) = first_nonzero(&bytes[reserved.clone()]) {
+                return Err(DescriptorError::Reserved { offset: reserved.start + at });
+            }
         }
         let descriptor = Self::read(bytes)?;
-        if version == 1 {
-            descriptor.fits_version_1()?;
-        }
+        descriptor.fits(version)?;
         descriptor.check()?;
         Ok(descriptor)
     }
@@ -114,7 +139,7 @@ impl TextureDescriptor {
     /// The version of the section that can hold it: the oldest, so that old readers read what they can.
     #[must_use]
     pub fn section_version(&self) -> u16 {
-        if self.fits_version_1().is_ok() { 1 } else { 2 }
+        (1..SECTION_VERSION).find(|&version| self.fits(version).is_ok()).unwrap_or(SECTION_VERSION)
     }
 
     fn read(bytes: &[u8]) -> Result<Self, DescriptorError> {
@@ -124,6 +149,10 @@ impl TextureDescriptor {
                 let refused = DescriptorError::Enumeration { field: $field, found, accepted: $kind::ACCEPTED };
                 $kind::from_number(found).ok_or(refused)?
             }};
+            // 0 is none.
+            (optional $kind:ident, $field:literal, $at:expr) => {
+                if u32_at(bytes, $at) == 0 { None } else { Some(term!($kind, $field, $at)) }
+            };
         }
         Ok(Self {
             format: term!(Format, "vk_format", 0),
@@ -152,6 +181,12 @@ impl TextureDescriptor {
             candidates: u32_at(bytes, CANDIDATES_AT),
             curvature_min: f64_at(bytes, CURVATURE_AT),
             curvature_max: f64_at(bytes, CURVATURE_AT + 8),
+            rings: u32_at(bytes, RINGS_AT),
+            ring_spacing: term!(optional RingSpacing, "ring_spacing", RINGS_AT + 4),
+            depth_mode: term!(optional DepthMode, "depth_mode", RINGS_AT + 8),
+            max_polar: f64_at(bytes, MAX_POLAR_AT),
+            relief_top: f64_at(bytes, RELIEF_AT),
+            relief_thickness: f64_at(bytes, RELIEF_AT + 8),
         })
     }
 
@@ -191,11 +226,29 @@ impl TextureDescriptor {
         for (i, real) in reals.into_iter().enumerate() {
             put(&mut bytes, 48 + 8 * i, &real.to_le_bytes());
         }
-        put(&mut bytes, TRANSFER_AT, &self.transfer.number().to_le_bytes());
-        put(&mut bytes, CANDIDATES_AT, &self.candidates.to_le_bytes());
-        put(&mut bytes, CURVATURE_AT, &self.curvature_min.to_le_bytes());
-        put(&mut bytes, CURVATURE_AT + 8, &self.curvature_max.to_le_bytes());
+        self.put_what_later_versions_say(&mut bytes);
         bytes
+    }
+
+    fn put_what_later_versions_say(&self, bytes: &mut [u8]) {
+        for (at, word) in [
+            (TRANSFER_AT, self.transfer.number()),
+            (CANDIDATES_AT, self.candidates),
+            (RINGS_AT, self.rings),
+            (RINGS_AT + 4, self.ring_spacing.map_or(0, RingSpacing::number)),
+            (RINGS_AT + 8, self.depth_mode.map_or(0, DepthMode::number)),
+        ] {
+            put(bytes, at, &word.to_le_bytes());
+        }
+        for (at, real) in [
+            (CURVATURE_AT, self.curvature_min),
+            (CURVATURE_AT + 8, self.curvature_max),
+            (MAX_POLAR_AT, self.max_polar),
+            (RELIEF_AT, self.relief_top),
+            (RELIEF_AT + 8, self.relief_thickness),
+        ] {
+            put(bytes, at, &real.to_le_bytes());
+        }
     }
 
     /// Refuses a table of another meaning.
@@ -209,44 +262,21 @@ impl TextureDescriptor {
     /// The azimuths of the layers; `None` where there is no direction.
     #[must_use]
     pub fn azimuths(&self) -> Option<Azimuths> {
-        let count = self.layers / self.candidates.max(1);
+        let count = self.layers / self.candidates.max(1) / self.rings.max(1);
         self.semantic.is_directional().then(|| Azimuths::from_parts(self.first_azimuth, self.azimuth_step, count))
     }
 
-    /// Numbers in one layer: texels times channels.
+    /// The cells of the layers of a hemisphere table; `None` of another.
     #[must_use]
-    pub fn layer_values(&self) -> u64 {
-        u64::from(self.width) * u64::from(self.height) * u64::from(self.format.channels())
+    pub fn directions(&self) -> Option<HemisphereDirections> {
+        let (azimuths, spacing) = (self.azimuths()?, self.ring_spacing?);
+        Some(HemisphereDirections { rings: self.rings, azimuths, spacing, max_polar_radians: self.max_polar })
     }
 
-    /// Bytes of one row of texels.
+    /// What depths measure; `None` where no values are depths.
     #[must_use]
-    pub fn row_bytes(&self) -> u64 {
-        u64::from(self.width) * u64::from(self.format.texel_bytes())
-    }
-
-    /// Bytes of one layer: its rows, tight.
-    #[must_use]
-    pub fn layer_bytes(&self) -> u64 {
-        self.row_bytes() * u64::from(self.height)
-    }
-
-    /// Bytes from the start of one layer to the start of the next: a multiple of 256.
-    #[must_use]
-    pub fn layer_stride(&self) -> u64 {
-        // At most 2³⁶ for a checked descriptor, so aligning cannot overflow; one that was not checked saturates.
-        align_up(self.layer_bytes(), CHUNK_ALIGN).unwrap_or(u64::MAX)
-    }
-
-    /// Offset of a layer in the decoded payload.
-    #[must_use]
-    pub fn layer_offset(&self, layer: u32) -> u64 {
-        self.layer_stride().saturating_mul(u64::from(layer))
-    }
-
-    /// Bytes of the decoded payload: all layers, padded between but not behind the last.
-    #[must_use]
-    pub fn payload_length(&self) -> u64 {
-        self.layer_offset(self.layers.saturating_sub(1)).saturating_add(self.layer_bytes())
+    pub fn relief(&self) -> Option<ReliefRange> {
+        let range = ReliefRange { top: self.relief_top, thickness: self.relief_thickness };
+        self.semantic.has_depths().then_some(range)
     }
 }

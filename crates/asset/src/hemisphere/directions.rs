@@ -1,10 +1,11 @@
 //! A grid of directions over the hemisphere: rings around the normal, cut into azimuths.
 
-use crate::{angle::tangent, azimuths::Azimuths};
+use crate::Azimuths;
+use crate::angle::tangent;
+use crate::terms::numbered;
 
 /// How the polar angle is cut into rings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
 pub enum RingSpacing {
     /// Edge k is at the polar angle k / rings · greatest.
     EqualAngles,
@@ -12,6 +13,8 @@ pub enum RingSpacing {
     /// relief more evenly, found without an arctangent.
     SquaredTangents,
 }
+
+numbered!(RingSpacing: EqualAngles = 1 "equal_angles", SquaredTangents = 2 "squared_tangents");
 
 /// The cells of a hemisphere table: ring k of azimuth j is layer k · azimuths + j.
 ///

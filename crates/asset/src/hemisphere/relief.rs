@@ -1,5 +1,7 @@
 //! What a depth of 0..1 means, and what a stored depth promises.
 
+use crate::terms::numbered;
+
 /// What a depth measures: a place at depth D, 0..1, is at height `top` − D · `thickness`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReliefRange {
@@ -25,7 +27,6 @@ impl ReliefRange {
 
 /// What a depth in a hemisphere table says about the rays of its cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
 pub enum DepthMode {
     /// The depth of the first hit of one ray, the one towards the edge of the ring that is nearer the normal and along
     /// the azimuth; over the texel's area the least of several such rays. Other rays of the cell may hit earlier.
@@ -33,3 +34,5 @@ pub enum DepthMode {
     /// At most the depth of the first hit of any ray of the cell that enters anywhere in the texel.
     Conservative,
 }
+
+numbered!(DepthMode: Nearest = 1 "nearest", Conservative = 2 "conservative");

@@ -14,7 +14,7 @@ pub enum Encoding {
     /// 1 byte; error at most 1/510 of the table's range, and rounding. Not for curvature.
     U8,
     /// What suits the kind: 1 byte of the sine of an elevation, of the root of a distance, of what has no unit; 2 bytes
-    /// of a height and of curvature.
+    /// of a height, of a maximum of heights and of curvature.
     Compact,
 }
 
@@ -55,6 +55,8 @@ impl Encoding {
         match self {
             Self::Compact if semantic.allows(Transfer::Sine) => Transfer::Sine,
             Self::Compact if semantic.allows(Transfer::Square) => Transfer::Square,
+            // What is rounded down in equal steps leaves nothing of the narrow cones of steep relief.
+            Self::U8 if semantic.is_cone_map() => Transfer::Square,
             _ => Transfer::Identity,
         }
     }
@@ -63,8 +65,18 @@ impl Encoding {
         match self {
             Self::F32 => Component::Float32,
             Self::F16 => Component::Float16,
-            Self::Compact if semantic == Semantic::Height => Component::Float16,
+            Self::Compact if matches!(semantic, Semantic::Height | Semantic::MaximumHeight) => Component::Float16,
             Self::U8 | Self::Compact => Component::Unorm8,
+        }
+    }
+}
+
+impl EncodeError {
+    /// The same of a value whose place among all values is another one.
+    pub(super) fn at_index(self, place: impl Fn(usize) -> usize) -> Self {
+        match self {
+            Self::Value { index, value, min, max } => Self::Value { index: place(index), value, min, max },
+            other => other,
         }
     }
 }
@@ -80,6 +92,14 @@ pub enum EncodeError {
         found: u64,
         /// Values the extent asks for.
         expected: u64,
+    },
+    /// The number of mip levels is not that of a table of this extent.
+    #[error("there are {found} mip levels; {expected} is accepted, the last of one texel")]
+    Levels {
+        /// Levels given.
+        found: usize,
+        /// The only number accepted.
+        expected: u32,
     },
     /// A value is NaN, infinite or outside what the table may hold, or outside the bounds given.
     #[error("value {index} is {value}; {min} to {max} is accepted")]

@@ -4,15 +4,12 @@ use core::ops::RangeInclusive;
 use std::vec;
 use std::vec::Vec;
 
-use super::codes;
 use super::encode::{EncodeError, Encoding};
 use super::facts::TableFacts;
 use super::loss::{self, EncodingLoss, LayerMeasure};
+use super::numbers::NumberEncoder;
 use super::quantiser::Quantiser;
-use crate::{Component, TextureDescriptor};
-
-/// Values that are worked on together, so that what lies between two loops stays in the first cache.
-const BLOCK: usize = 1024;
+use crate::TextureDescriptor;
 
 /// Encodes the layers of one table as they come, in any order, and measures what that costs.
 ///
@@ -23,14 +20,14 @@ const BLOCK: usize = 1024;
 pub struct TableEncoder {
     /// Complete but for the range.
     descriptor: TextureDescriptor,
-    quantiser: Quantiser,
-    values_of_bytes: [f32; 256],
-    bounds: RangeInclusive<f32>,
+    numbers: NumberEncoder,
+    /// Of the first channel of a cone map, which is no ratio.
+    depths: Option<NumberEncoder>,
     measures: Vec<Option<LayerMeasure>>,
 }
 
 impl TableEncoder {
-    /// An encoder of a table whose values are all within `bounds`, in their own unit.
+    /// An encoder of a table whose values are all within `bounds`, in their own unit; of a cone map, whose ratios are.
     ///
     /// # Errors
     /// Facts outside the format, or bounds that are no range or leave [`TableFacts::legal`].
@@ -42,13 +39,17 @@ impl TableEncoder {
         if !(legal.contains(&min) && legal.contains(&max) && min <= max) {
             return Err(EncodeError::Bounds { min, max, legal_min: *legal.start(), legal_max: *legal.end() });
         }
-        let quantiser = Quantiser::new(encoding, facts.semantic(), &bounds, &legal)?;
+        let quantiser = Quantiser::new(encoding, facts, &bounds)?;
         descriptor.scale = f64::from(quantiser.scale);
         descriptor.bias = f64::from(quantiser.bias);
         descriptor.worst_case_error = quantiser.worst_case_error();
-        let values_of_bytes = quantiser.values_of_bytes();
-        let measures = vec![None; descriptor.layers as usize];
-        Ok(Self { descriptor, quantiser, values_of_bytes, bounds, measures })
+        let depths = facts.semantic().is_cone_map().then(|| {
+            let quantiser = Quantiser::plain(encoding, facts);
+            descriptor.worst_case_error = descriptor.worst_case_error.max(quantiser.worst_case_error());
+            NumberEncoder::new(quantiser, 0.0..=1.0)
+        });
+        let measures = vec![None; descriptor.pictures() as usize];
+        Ok(Self { descriptor, numbers: NumberEncoder::new(quantiser, bounds), depths, measures })
     }
 
     /// What is known already: all but the range of the values, which is stated as 0.
@@ -67,42 +68,40 @@ impl TableEncoder {
         if found != expected {
             return Err(EncodeError::Count { found, expected });
         }
-        check_values(values, &self.bounds)?;
+        self.picture(values, bytes)
+    }
+
+    /// [`Self::encode`] of a mip level too, whatever its extent.
+    pub(super) fn picture(&self, values: &[f32], bytes: &mut Vec<u8>) -> Result<LayerMeasure, EncodeError> {
         let mut measure = LayerMeasure::EMPTY;
-        bytes.reserve(values.len() * self.quantiser.component.bytes() as usize);
-        for block in values.chunks(BLOCK) {
-            match self.quantiser.component {
-                Component::Unorm8 => self.bytes_of(block, bytes, &mut measure),
-                Component::Float16 => self.halves_of(block, bytes, &mut measure),
-                Component::Float32 => floats_of(block, bytes, &mut measure),
+        match &self.depths {
+            None => {
+                self.numbers.check(values)?;
+                self.numbers.encode(values, bytes, &mut measure);
             }
+            Some(depths) => self.depths_and_ratios(depths, values, bytes, &mut measure)?,
         }
         Ok(measure)
     }
 
-    fn bytes_of(&self, values: &[f32], bytes: &mut Vec<u8>, measure: &mut LayerMeasure) {
-        let (mut numbers, mut codes) = ([0.0; BLOCK], [0; BLOCK]);
-        let (numbers, codes) = (&mut numbers[..values.len()], &mut codes[..values.len()]);
-        codes::all_before_transfer(self.quantiser.transfer, values, numbers);
-        codes::to_bytes(&self.quantiser, numbers, codes);
-        bytes.extend_from_slice(codes);
-        for (decoded, &code) in numbers.iter_mut().zip(&*codes) {
-            *decoded = self.values_of_bytes[usize::from(code)];
+    fn depths_and_ratios(
+        &self,
+        depths: &NumberEncoder,
+        values: &[f32],
+        bytes: &mut Vec<u8>,
+        measure: &mut LayerMeasure,
+    ) -> Result<(), EncodeError> {
+        let encoders = [depths, &self.numbers];
+        let mut stored = [Vec::new(), Vec::new()];
+        for (channel, (encoder, stored)) in encoders.into_iter().zip(&mut stored).enumerate() {
+            let numbers: Vec<f32> = values.iter().skip(channel).step_by(2).copied().collect();
+            encoder.check(&numbers).map_err(|error| error.at_index(|texel| 2 * texel + channel))?;
+            encoder.encode(&numbers, stored, measure);
         }
-        measure.add(values, numbers);
-    }
-
-    fn halves_of(&self, values: &[f32], bytes: &mut Vec<u8>, measure: &mut LayerMeasure) {
-        let (mut numbers, mut codes) = ([0.0; BLOCK], [0; BLOCK]);
-        let (numbers, codes) = (&mut numbers[..values.len()], &mut codes[..values.len()]);
-        codes::all_before_transfer(self.quantiser.transfer, values, numbers);
-        codes::to_halves(&self.quantiser, numbers, codes);
-        bytes.extend(codes.iter().flat_map(|code| code.to_le_bytes()));
-        codes::from_halves(&self.quantiser, codes, numbers);
-        for decoded in numbers.iter_mut() {
-            *decoded = self.quantiser.transfer.value(*decoded);
-        }
-        measure.add(values, numbers);
+        let number_bytes = self.numbers.quantiser().component.bytes() as usize;
+        let texels = stored[0].chunks_exact(number_bytes).zip(stored[1].chunks_exact(number_bytes));
+        bytes.extend(texels.flat_map(|(depth, ratio)| depth.iter().chain(ratio)));
+        Ok(())
     }
 
     /// Takes note of an encoded layer.
@@ -110,7 +109,7 @@ impl TableEncoder {
     /// # Errors
     /// A layer that the table does not have.
     pub fn record(&mut self, layer: u32, measure: LayerMeasure) -> Result<(), EncodeError> {
-        let layers = self.descriptor.layers;
+        let layers = self.descriptor.pictures();
         let slot = self.measures.get_mut(layer as usize).ok_or(EncodeError::Layer { layer, layers })?;
         *slot = Some(measure);
         Ok(())
@@ -132,7 +131,7 @@ impl TableEncoder {
     /// # Errors
     /// A layer that was not encoded.
     pub fn finish(self) -> Result<(TextureDescriptor, EncodingLoss), EncodeError> {
-        let layers = self.descriptor.layers;
+        let layers = self.descriptor.pictures();
         let missing = |layer: usize| EncodeError::Missing { layer: layer as u32, layers };
         let measures: Vec<LayerMeasure> =
             self.measures.iter().enumerate().map(|(k, m)| m.ok_or_else(|| missing(k))).collect::<Result<_, _>>()?;
@@ -140,24 +139,5 @@ impl TableEncoder {
         let (min, max) = ranges.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))).unwrap_or_default();
         let descriptor = TextureDescriptor { range_min: min.into(), range_max: max.into(), ..self.descriptor };
         Ok((descriptor, loss::total(&measures)))
-    }
-}
-
-fn floats_of(values: &[f32], bytes: &mut Vec<u8>, measure: &mut LayerMeasure) {
-    bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
-    measure.add(values, values);
-}
-
-/// Refuses the first value that is NaN or out of bounds.
-pub(super) fn check_values(values: &[f32], bounds: &RangeInclusive<f32>) -> Result<(), EncodeError> {
-    let (min, max) = (*bounds.start(), *bounds.end());
-    // Looking at all of them without a branch is what vectors are for; the culprit is only looked for if there is one.
-    let good = |value: f32| (value >= min) & (value <= max);
-    if values.chunks(BLOCK).all(|block| block.iter().fold(true, |all, &value| all & good(value))) {
-        return Ok(());
-    }
-    match values.iter().position(|&value| !good(value)) {
-        Some(index) => Err(EncodeError::Value { index, value: values[index], min, max }),
-        None => Ok(()),
     }
 }

@@ -3,7 +3,11 @@
 use core::ops::RangeInclusive;
 
 use super::encode::Encoding;
-use crate::{Azimuths, Filter, LengthUnit, MAX_ELEVATION, MipReducer, Semantic, TextureDescriptor, Wrap, f32_at_most};
+use super::quantiser::Rounding;
+use crate::{
+    Azimuths, DepthMode, Filter, HemisphereDirections, LengthUnit, MAX_ELEVATION, MipReducer, ReliefRange, Semantic,
+    TextureDescriptor, Wrap, f32_at_most,
+};
 
 /// Where the texels of a table lie.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,19 +47,22 @@ pub struct TableFacts {
     azimuths: Option<Azimuths>,
     sweep: Option<CurvatureSweep>,
     radius: f64,
+    cells: Option<(HemisphereDirections, DepthMode)>,
+    relief: Option<ReliefRange>,
 }
 
 impl TableFacts {
     /// Heights in the length unit.
     #[must_use]
     pub fn height(grid: TableGrid) -> Self {
-        Self { grid, semantic: Semantic::Height, azimuths: None, sweep: None, radius: 0.0 }
+        let semantic = Semantic::Height;
+        Self { grid, semantic, azimuths: None, sweep: None, radius: 0.0, cells: None, relief: None }
     }
 
     /// Horizon elevations in radians; the horizon was searched up to `radius`, in the length unit.
     #[must_use]
     pub fn horizon(grid: TableGrid, azimuths: Azimuths, radius: f64) -> Self {
-        Self { grid, semantic: Semantic::HorizonElevation, azimuths: Some(azimuths), sweep: None, radius }
+        Self { semantic: Semantic::HorizonElevation, azimuths: Some(azimuths), radius, ..Self::height(grid) }
     }
 
     /// Horizon distances in the length unit.
@@ -95,53 +102,99 @@ impl TableFacts {
         Self { semantic: Semantic::ApertureCone, radius, ..Self::height(grid) }
     }
 
+    /// Depths in [0, 1] at which rays of each cell of `directions` first meet the relief.
+    #[must_use]
+    pub fn hemisphere(grid: TableGrid, directions: HemisphereDirections, mode: DepthMode, relief: ReliefRange) -> Self {
+        let (azimuths, cells) = (Some(directions.azimuths), Some((directions, mode)));
+        Self { semantic: Semantic::HemisphereDepth, azimuths, cells, ..Self::cone_map(grid, relief) }
+    }
+
+    /// Depths in [0, 1] and ratios of cones that the relief stays out of, interleaved.
+    #[must_use]
+    pub fn cone_map(grid: TableGrid, relief: ReliefRange) -> Self {
+        Self { semantic: Semantic::ConeMap, relief: Some(relief), ..Self::height(grid) }
+    }
+
+    /// Depths in [0, 1] and ratios of cones in which a ray pierces the relief once at most, interleaved.
+    #[must_use]
+    pub fn relaxed_cone_map(grid: TableGrid, relief: ReliefRange) -> Self {
+        Self { semantic: Semantic::RelaxedConeMap, ..Self::cone_map(grid, relief) }
+    }
+
+    /// Greatest heights in the length unit, level by level.
+    #[must_use]
+    pub fn maximum_mip(grid: TableGrid) -> Self {
+        Self { semantic: Semantic::MaximumHeight, ..Self::height(grid) }
+    }
+
     /// What the texels mean.
     #[must_use]
     pub fn semantic(&self) -> Semantic {
         self.semantic
     }
 
-    /// Layers: azimuths times candidates; 1 where there is no direction.
+    /// Layers: azimuths times candidates or rings; 1 where there is no direction.
     #[must_use]
     pub fn layers(&self) -> u32 {
         let azimuths = self.azimuths.map_or(1, |azimuths| azimuths.count());
-        azimuths.saturating_mul(self.sweep.map_or(1, |sweep| sweep.candidates))
+        let rings = self.cells.map_or(1, |(directions, _)| directions.rings);
+        azimuths.saturating_mul(self.sweep.map_or(1, |sweep| sweep.candidates)).saturating_mul(rings)
     }
 
-    /// Numbers in one layer: texels times channels.
+    /// Numbers in one layer, or in the first mip level: texels times channels.
     #[must_use]
     pub fn layer_values(&self) -> u64 {
         u64::from(self.grid.width) * u64::from(self.grid.height) * u64::from(self.semantic.channels())
     }
 
-    /// The values that a table of this meaning may hold: bounds for a bake that knows no better.
+    /// The values that a table of this meaning may hold: bounds for a bake that knows no better. Of a cone map, the ratios;
+    /// its depths are within [0, 1].
     #[must_use]
     pub fn legal(&self) -> RangeInclusive<f32> {
         match self.semantic {
-            Semantic::Height => f32::MIN..=f32::MAX,
+            Semantic::Height | Semantic::MaximumHeight => f32::MIN..=f32::MAX,
+            Semantic::ConeMap | Semantic::RelaxedConeMap => 0.0..=f32::MAX,
             Semantic::HorizonElevation | Semantic::SweptElevation => -MAX_ELEVATION..=MAX_ELEVATION,
             Semantic::HorizonDistance | Semantic::SweptDistance => 0.0..=f32_at_most(self.radius),
-            Semantic::SkyVisibility => 0.0..=1.0,
+            Semantic::SkyVisibility | Semantic::HemisphereDepth => 0.0..=1.0,
             Semantic::BentNormal | Semantic::ApertureCone => -1.0..=1.0,
+        }
+    }
+
+    /// To which side values are rounded: what bounds depths from above the surface stays above it.
+    pub(super) fn rounding(&self) -> Rounding {
+        match (self.semantic, self.cells) {
+            (Semantic::HemisphereDepth, Some((_, DepthMode::Conservative))) => Rounding::Down,
+            (Semantic::ConeMap | Semantic::RelaxedConeMap, _) => Rounding::Down,
+            (Semantic::MaximumHeight, _) => Rounding::Up,
+            _ => Rounding::Nearest,
         }
     }
 
     /// The descriptor of a table of zeros.
     pub(super) fn descriptor(&self, encoding: Encoding) -> TextureDescriptor {
-        let Self { grid, semantic, azimuths, sweep, radius } = *self;
+        let Self { grid, semantic, azimuths, sweep, radius, cells, relief } = *self;
+        let (mips, filter, mip_reducer) = match semantic {
+            Semantic::MaximumHeight => {
+                (grid.width.max(grid.height).max(1).ilog2() + 1, Filter::Nearest, MipReducer::Max)
+            }
+            Semantic::HemisphereDepth => (1, Filter::Nearest, MipReducer::Min),
+            Semantic::ConeMap | Semantic::RelaxedConeMap => (1, Filter::Linear, MipReducer::Min),
+            _ => (1, Filter::Linear, MipReducer::Mean),
+        };
         TextureDescriptor {
             format: encoding.format(semantic),
             width: grid.width,
             height: grid.height,
             layers: self.layers(),
-            mips: 1,
+            mips,
             semantic,
             unit: semantic.unit(grid.length_unit),
             length_unit: grid.length_unit,
             wrap_u: grid.wrap_u,
             wrap_v: grid.wrap_v,
-            filter: Filter::Linear,
-            mip_reducer: MipReducer::Mean,
+            filter,
+            mip_reducer,
             scale: 1.0,
             bias: 0.0,
             range_min: 0.0,
@@ -156,6 +209,12 @@ impl TableFacts {
             candidates: sweep.map_or(0, |sweep| sweep.candidates),
             curvature_min: sweep.map_or(0.0, |sweep| sweep.curvature_min),
             curvature_max: sweep.map_or(0.0, |sweep| sweep.curvature_max),
+            rings: cells.map_or(0, |(directions, _)| directions.rings),
+            ring_spacing: cells.map(|(directions, _)| directions.spacing),
+            depth_mode: cells.map(|(_, mode)| mode),
+            max_polar: cells.map_or(0.0, |(directions, _)| directions.max_polar_radians),
+            relief_top: relief.map_or(0.0, |relief| relief.top),
+            relief_thickness: relief.map_or(0.0, |relief| relief.thickness),
         }
     }
 }

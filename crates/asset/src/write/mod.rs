@@ -2,6 +2,7 @@
 
 mod codes;
 mod curvature;
+mod directed;
 mod encode;
 mod encoder;
 mod error;
@@ -9,7 +10,9 @@ mod facts;
 mod identity;
 mod layout;
 mod loss;
+mod numbers;
 mod quantiser;
+mod relief_tables;
 mod stream;
 mod tables;
 mod writer;
@@ -23,6 +26,7 @@ pub(crate) use identity::IdentityHasher;
 pub use identity::content_identity;
 pub use layout::Finished;
 pub use loss::{EncodingLoss, LayerMeasure};
+pub use relief_tables::{ConeMapTable, HemisphereTable, MaximumMipTable, RelaxedConeMapTable};
 pub use stream::{AssetStream, RawSection};
 pub use tables::{
     ApertureConeTable, BentNormalTable, DistanceTable, HeightTable, HorizonTable, SkyVisibilityTable,

@@ -6,14 +6,27 @@ use core::ops::RangeInclusive;
 
 use super::codes;
 use super::encode::{EncodeError, Encoding};
+use super::facts::TableFacts;
 use crate::angle::arcsine;
-use crate::{Component, Semantic, Transfer, f32_at_least, f32_at_most};
+use crate::{Component, Transfer, f32_at_least, f32_at_most};
+
+/// To which side of a value its stored form may lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Rounding {
+    /// To the nearer one.
+    Nearest,
+    /// No decoded value is greater than what was given: lower bounds stay lower bounds.
+    Down,
+    /// No decoded value is less: upper bounds stay upper bounds.
+    Up,
+}
 
 /// `value = transfer(scale · stored + bias)`, for one way to store numbers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Quantiser {
     pub(super) component: Component,
     pub(super) transfer: Transfer,
+    pub(super) rounding: Rounding,
     pub(super) scale: f32,
     pub(super) bias: f32,
     /// The greatest |t| there can be.
@@ -21,20 +34,23 @@ pub(super) struct Quantiser {
 }
 
 impl Quantiser {
-    /// The quantiser of values within `bounds`, whose decoded values stay within `legal`.
+    /// The quantiser of the values of a table, all within `bounds`, whose decoded values are legal.
     pub(super) fn new(
         encoding: Encoding,
-        semantic: Semantic,
+        facts: &TableFacts,
         bounds: &RangeInclusive<f32>,
-        legal: &RangeInclusive<f32>,
     ) -> Result<Self, EncodeError> {
+        let (semantic, rounding) = (facts.semantic(), facts.rounding());
         let (component, transfer) = (encoding.format(semantic).component(), encoding.transfer(semantic));
-        let legal = legal_before(transfer, legal);
+        let legal = legal_before(transfer, &facts.legal());
         // A zero is stored as +0, whichever of the two zeros came first.
-        let [min, max] = [*bounds.start(), *bounds.end()]
+        let [mut min, max] = [*bounds.start(), *bounds.end()]
             .map(|value| codes::before_transfer(transfer, value).clamp(*legal.start(), *legal.end()) + 0.0);
+        while rounding == Rounding::Down && transfer.value(min) > *bounds.start() {
+            min = min.next_down();
+        }
         let largest = min.abs().max(max.abs());
-        let stored_as = |scale, bias| Self { component, transfer, scale, bias, largest };
+        let stored_as = |scale, bias| Self { component, transfer, rounding, scale, bias, largest };
         if component == Component::Float32 {
             return Ok(stored_as(1.0, 0.0));
         }
@@ -49,15 +65,32 @@ impl Quantiser {
         if scale.is_infinite() {
             return Err(EncodeError::TooWide { min, max, encoding: encoding.name() });
         }
-        // … but no wider than the legal range, where rounding upwards would leave it.
-        scale = scale.min(f32_at_most(f64::from(*legal.end()) - centre));
-        if component == Component::Float16 {
-            scale = scale.min(f32_at_most(centre - f64::from(*legal.start())));
+        if rounding == Rounding::Nearest {
+            // … but no wider than the legal range, where rounding upwards would leave it.
+            scale = scale.min(f32_at_most(f64::from(*legal.end()) - centre));
+            if component == Component::Float16 {
+                scale = scale.min(f32_at_most(centre - f64::from(*legal.start())));
+            }
         }
-        Ok(stored_as(scale, bias))
+        let quantiser = stored_as(scale, bias);
+        if rounding == Rounding::Up && !quantiser.value(1.0).is_finite() {
+            return Err(EncodeError::TooWide { min, max, encoding: encoding.name() });
+        }
+        Ok(quantiser)
     }
 
-    /// No decoded value is farther than this from the value encoded: half a code step, and f32 arithmetic, fused or
+    /// The quantiser of depths in [0, 1] that are stored as they are, whatever scale and bias of the table.
+    pub(super) fn plain(encoding: Encoding, facts: &TableFacts) -> Self {
+        let (component, rounding) = (encoding.format(facts.semantic()).component(), facts.rounding());
+        Self { component, transfer: Transfer::Identity, rounding, scale: 1.0, bias: 0.0, largest: 1.0 }
+    }
+
+    /// What a reader makes of a stored number, by exactly the arithmetic of [`crate::TableView`].
+    pub(super) fn value(&self, stored: f32) -> f32 {
+        self.transfer.value(self.scale * stored + self.bias)
+    }
+
+    /// No decoded value is farther than this from the value encoded: a code step or half of it, and f32 arithmetic, fused or
     /// not, with subnormals kept or flushed, through the transfer.
     pub(super) fn worst_case_error(&self) -> f64 {
         let (error, largest) = (self.error_before_transfer(), f64::from(self.largest));
@@ -76,19 +109,21 @@ impl Quantiser {
     }
 
     fn error_before_transfer(&self) -> f64 {
-        let half_step = match self.component {
+        let step = match self.component {
             Component::Float32 => return 0.0,
             _ if self.scale == 0.0 && self.transfer == Transfer::Identity => return 0.0,
-            Component::Unorm8 => 1.0 / 510.0,
-            Component::Float16 => power_of_two(-12),
+            Component::Unorm8 => 1.0 / 255.0,
+            Component::Float16 => power_of_two(-11),
         };
+        // To one side a step is lost where to the nearer one half of it is; and f32 arithmetic pushes to both sides.
+        let part = if self.rounding == Rounding::Nearest { 0.5 } else { 1.0 };
         let (scale, bias) = (f64::from(self.scale), f64::from(self.bias).abs());
-        half_step * scale + power_of_two(-21) * (scale + bias) + power_of_two(-124)
+        part * (step * scale + power_of_two(-20) * (scale + bias)) + power_of_two(-124)
     }
 
-    /// The value of every byte, by exactly the arithmetic of [`crate::TableView`].
+    /// The value of every byte.
     pub(super) fn values_of_bytes(&self) -> [f32; 256] {
-        core::array::from_fn(|k| self.transfer.value(self.scale * (k as f32 / 255.0) + self.bias))
+        core::array::from_fn(|k| self.value(k as f32 / 255.0))
     }
 }
 

@@ -101,24 +101,25 @@ impl<W: Read + Write + Seek> AssetStream<W> {
             }
             Codec::Zstd => Place::Memory(zeroed(kind, raw_length)?),
         };
-        let written = vec![false; descriptor.layers as usize];
+        let written = vec![false; descriptor.pictures() as usize];
         self.open.push(OpenTable { descriptor: *descriptor, written, place });
         Ok(())
     }
 
-    /// Writes a layer of an open table: tight rows, as an encoder makes them. In any order; the last of two counts.
+    /// Writes a layer of an open table, or a level of one with several: tight rows, as an encoder makes them. In any order;
+    /// the last of two counts.
     ///
     /// # Errors
     /// A table that is not open, a layer it does not have or of another length, or a failure of the file.
     pub fn layer(&mut self, kind: SectionKind, layer: u32, bytes: &[u8]) -> Result<(), WriteError> {
         let index = self.find_open(kind)?;
         let OpenTable { descriptor, written, place } = &mut self.open[index];
-        let (found, expected, layers) = (bytes.len() as u64, descriptor.layer_bytes(), descriptor.layers);
+        let (found, expected, layers) = (bytes.len() as u64, descriptor.picture_bytes(layer), descriptor.pictures());
         if layer >= layers || found != expected {
             return Err(WriteError::Layer { kind, layer, found, layers, expected });
         }
-        let at = descriptor.layer_offset(layer);
-        let padding = if layer + 1 < layers { descriptor.layer_stride() - expected } else { 0 };
+        let at = descriptor.picture_offset(layer);
+        let padding = if layer + 1 < layers { descriptor.picture_offset(layer + 1) - at - expected } else { 0 };
         match place {
             Place::File(row) => self.layout.payload(*row, at, bytes, padding)?,
             Place::Memory(payload) => payload[at as usize..][..bytes.len()].copy_from_slice(bytes),

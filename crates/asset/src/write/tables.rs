@@ -1,11 +1,12 @@
-//! Tables of each kind that are in memory as a whole: facts, values, and an encoding to a descriptor and a payload.
+//! Tables of height fields that are in memory as a whole: facts, values, and an encoding to a descriptor and a payload.
 
 use std::vec::Vec;
 
 use super::encode::{EncodeError, Encoding};
-use super::encoder::{TableEncoder, check_values};
+use super::encoder::TableEncoder;
 use super::facts::{CurvatureSweep, TableFacts, TableGrid};
 use super::loss::EncodingLoss;
+use super::numbers::check_values;
 use crate::{Azimuths, DescriptorError, SectionKind, TableView, TextureDescriptor};
 
 /// Heights to be written.
@@ -128,6 +129,8 @@ macro_rules! table {
     };
 }
 
+pub(super) use table;
+
 table!(HeightTable, height(grid));
 table!(HorizonTable, horizon(grid, azimuths, radius));
 table!(DistanceTable, distance(grid, azimuths, radius));
@@ -194,7 +197,7 @@ impl TextureTable {
     }
 }
 
-fn encode(facts: &TableFacts, values: &[f32], encoding: Encoding) -> Result<TextureTable, EncodeError> {
+pub(super) fn encode(facts: &TableFacts, values: &[f32], encoding: Encoding) -> Result<TextureTable, EncodeError> {
     // Facts first: a wrong extent must be refused before anything is made of it.
     facts.descriptor(encoding).check()?;
     let layer_values = facts.layer_values();
@@ -203,11 +206,18 @@ fn encode(facts: &TableFacts, values: &[f32], encoding: Encoding) -> Result<Text
         return Err(EncodeError::Count { found, expected });
     }
     let (min, max) = extent(facts, values)?;
-    let mut encoder = TableEncoder::new(facts, encoding, min..=max)?;
+    encode_pictures(TableEncoder::new(facts, encoding, min..=max)?, values.chunks_exact(layer_values as usize))
+}
+
+/// The table of these layers, or levels.
+pub(super) fn encode_pictures<'a>(
+    mut encoder: TableEncoder,
+    pictures: impl Iterator<Item = &'a [f32]>,
+) -> Result<TextureTable, EncodeError> {
     let mut payload = Vec::with_capacity(encoder.descriptor().payload_length() as usize);
-    for (k, layer) in (0..).zip(values.chunks_exact(layer_values as usize)) {
-        payload.resize(encoder.descriptor().layer_offset(k) as usize, 0);
-        let measure = encoder.encode(layer, &mut payload)?;
+    for (k, picture) in (0..).zip(pictures) {
+        payload.resize(encoder.descriptor().picture_offset(k) as usize, 0);
+        let measure = encoder.picture(picture, &mut payload)?;
         encoder.record(k, measure)?;
     }
     let (descriptor, loss) = encoder.finish()?;
@@ -215,7 +225,7 @@ fn encode(facts: &TableFacts, values: &[f32], encoding: Encoding) -> Result<Text
 }
 
 /// The least and the greatest value, all of them legal.
-fn extent(facts: &TableFacts, values: &[f32]) -> Result<(f32, f32), EncodeError> {
+pub(super) fn extent(facts: &TableFacts, values: &[f32]) -> Result<(f32, f32), EncodeError> {
     check_values(values, &facts.legal())?;
     let ends = |(min, max): (f32, f32), &value: &f32| (min.min(value), max.max(value));
     Ok(values.iter().fold((f32::INFINITY, f32::NEG_INFINITY), ends))

@@ -17,11 +17,19 @@ pub(crate) struct Cell {
     pub(crate) row: i64,
 }
 
-/// The end of a ray's part of a cell.
+/// Cells side by side: columns and rows from the first up to, but without, the second.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Block {
+    pub(crate) columns: (i64, i64),
+    pub(crate) rows: (i64, i64),
+}
+
+/// The end of a ray's part of a block.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Exit {
     /// At most 1.
     pub(crate) depth: f64,
+    /// The cell behind the border.
     pub(crate) next: Cell,
 }
 
@@ -29,28 +37,51 @@ impl Cell {
     /// The cell that a ray goes through just behind a depth.
     #[inline]
     pub(crate) fn behind(ray: &ReliefRay, depth: f64) -> Self {
-        let index = |place: f64, step: f64| if step < 0.0 { place.ceil() as i64 - 1 } else { place.floor() as i64 };
         let (x, y) = ray.at(depth);
-        Self { column: index(x, ray.step.0), row: index(y, ray.step.1) }
+        Self { column: index_behind(x, ray.step.0), row: index_behind(y, ray.step.1) }
     }
 
-    /// Where a ray leaves the cell, `from` at the earliest, and which one comes next.
+    /// Where a ray leaves the cell, `from` at the earliest.
     #[inline]
     pub(crate) fn exit(self, ray: &ReliefRay, from: f64) -> Exit {
-        let u = border(ray.place.0, ray.step.0, (self.column, self.column + 1));
-        let v = border(ray.place.1, ray.step.1, (self.row, self.row + 1));
-        let next = if u <= v {
-            Self { column: self.column + if ray.step.0 < 0.0 { -1 } else { 1 }, ..self }
-        } else {
-            Self { row: self.row + if ray.step.1 < 0.0 { -1 } else { 1 }, ..self }
-        };
-        Exit { depth: u.min(v).max(from).min(1.0), next }
+        Block { columns: (self.column, self.column + 1), rows: (self.row, self.row + 1) }.exit(ray, from)
     }
+}
+
+impl Block {
+    /// Where a ray leaves the block, `from` at the earliest, and the cell behind.
+    #[inline]
+    pub(crate) fn exit(self, ray: &ReliefRay, from: f64) -> Exit {
+        let u = border(ray.place.0, ray.step.0, self.columns);
+        let v = border(ray.place.1, ray.step.1, self.rows);
+        let depth = u.min(v).max(from).min(1.0);
+        let mut next = self.cell_behind(ray, depth);
+        if u <= v {
+            next.column = if ray.step.0 < 0.0 { self.columns.0 - 1 } else { self.columns.1 };
+        } else {
+            next.row = if ray.step.1 < 0.0 { self.rows.0 - 1 } else { self.rows.1 };
+        }
+        Exit { depth, next }
+    }
+
+    /// The cell of the block that a ray goes through just behind a depth at which it is in the block, whatever rounding says.
+    #[inline]
+    pub(crate) fn cell_behind(self, ray: &ReliefRay, depth: f64) -> Cell {
+        let Cell { column, row } = Cell::behind(ray, depth);
+        let within = |index: i64, (low, high): (i64, i64)| index.max(low).min(high - 1);
+        Cell { column: within(column, self.columns), row: within(row, self.rows) }
+    }
+}
+
+/// The cell along one axis that begins at a place, or the one that ends there if that way is gone.
+#[inline]
+fn index_behind(place: f64, step: f64) -> i64 {
+    if step < 0.0 { place.ceil() as i64 - 1 } else { place.floor() as i64 }
 }
 
 /// The depth at which a ray reaches the end of a range of texels along one axis.
 #[inline]
-pub(crate) fn border(place: f64, step: f64, (low, high): (i64, i64)) -> f64 {
+fn border(place: f64, step: f64, (low, high): (i64, i64)) -> f64 {
     if step == 0.0 {
         return f64::INFINITY;
     }
@@ -59,24 +90,29 @@ pub(crate) fn border(place: f64, step: f64, (low, high): (i64, i64)) -> f64 {
 }
 
 impl Relief<'_> {
+    /// How far the surface of a cell with those corners is below the ray at a depth of it.
+    #[inline]
+    pub(crate) fn gap_in(ray: &ReliefRay, cell: Cell, corners: [f64; 4], depth: f64) -> f64 {
+        let [d00, d10, d01, _] = corners;
+        let (x, y) = ray.at(depth);
+        let (x, y) = (x - cell.column as f64, y - cell.row as f64);
+        d00 + (d10 - d00) * x + (d01 - d00) * y + twist(corners) * x * y - depth
+    }
+
     /// The first hit of a ray in its part of a cell, between two depths; `corners` are those of the cell.
     #[inline]
-    pub(crate) fn hit_between(
-        ray: &ReliefRay,
-        cell: Cell,
-        [d00, d10, d01, d11]: [f64; 4],
-        (from, to): (f64, f64),
-    ) -> Option<f64> {
-        let (along_x, along_y, twist) = (d10 - d00, d01 - d00, d00 - d10 - d01 + d11);
-        let gap = |depth: f64| {
-            let (x, y) = ray.at(depth);
-            let (x, y) = (x - cell.column as f64, y - cell.row as f64);
-            d00 + along_x * x + along_y * y + twist * x * y - depth
-        };
+    pub(crate) fn hit_between(ray: &ReliefRay, cell: Cell, corners: [f64; 4], (from, to): (f64, f64)) -> Option<f64> {
+        let gap = |depth| Self::gap_in(ray, cell, corners, depth);
         let (g0, g1) = (gap(from), gap(to));
         let part = to - from;
-        first_zero(g0, g1, twist * (part * ray.step.0) * (part * ray.step.1)).map(|s| from + s * part)
+        first_zero(g0, g1, twist(corners) * (part * ray.step.0) * (part * ray.step.1)).map(|s| from + s * part)
     }
+}
+
+#[inline]
+fn twist([d00, d10, d01, d11]: [f64; 4]) -> f64 {
+    // 0 where two sides are level, to the bit.
+    (d00 - d10) + (d11 - d01)
 }
 
 /// The least s in 0..=1 at which the parabola from `g0` to `g1`, with the coefficient `c` of s², is not above 0.

@@ -24,21 +24,28 @@
 //! texels from the centre of texel (0, 0), rows downwards. Beyond the tile the heights' own edge policy holds.
 
 mod cell;
+mod cones;
 mod linear;
+mod maximum_mip;
 mod parallax;
 mod ray;
+mod relaxed_cones;
+mod start;
 mod surface;
 mod traced;
 
+pub use cones::ConeSteps;
 pub use linear::LinearSearch;
+pub use maximum_mip::MaximumMipTraversal;
 pub use parallax::ParallaxOcclusion;
 pub use ray::ReliefRay;
+pub use relaxed_cones::RelaxedConeSteps;
 pub use surface::Relief;
 pub use traced::TracedRelief;
 
 use std::ops::AddAssign;
 
-/// Most steps of a search: of a linear one, and an end for what goes on by what a table says.
+/// Most steps of a linear search.
 const MOST_STEPS: u32 = 1 << 20;
 
 /// What a search read.

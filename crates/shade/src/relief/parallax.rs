@@ -3,7 +3,7 @@
 //! Natalya Tatarchuk, *Dynamic Parallax Occlusion Mapping with Approximate Soft Shadows*, 2006: the surface between the last
 //! two steps is taken for a line. It misses what linear search misses, and its hit is off where the surface is not a line.
 
-use super::linear::{Left, leave_relief};
+use super::start::{Left, leave_relief};
 use super::{Fetches, Found, MOST_STEPS, Relief, ReliefRay, ReliefSearch, Start};
 
 /// Linear search with a secant end.

@@ -1,0 +1,102 @@
+//! Cone steps that end in an exact cell.
+//!
+//! # Theory
+//!
+//! At a place of the surface a cone map holds the ratio r of a cone that opens upwards and holds no surface. A ray a gap g
+//! above that place, moving s along the plane per length down, can sink
+//!
+//! > r g / (s + r)
+//!
+//! before it leaves the cone: free space, so nothing is stepped over. Such steps shrink towards the surface without
+//! reaching it. Where a step does not get out of the cell of four heights it is in, the four are gathered and the cell is
+//! solved: a hit without error, or a step to the cell's end.
+//!
+//! Jonathan Dummer, *Cone Step Mapping: An Iterative Ray-Heightfield Intersection Algorithm*, 2006.
+//!
+//! # Departures
+//!
+//! - The paper's cones hold at texels. `barchan_asset`'s hold wherever a texel has weight under bilinear filtering, and gap and
+//!   ratio are one filtered sample.
+//! - The paper takes a fixed number of steps and stops close to the surface.
+//! - After a cell without a hit the gap is known without a fetch. If the ratio last seen says that a step from there would not
+//!   get out of the next cell either, that is gathered at once. A guess only costs or saves a fetch, never a hit.
+
+use super::cell::Cell;
+use super::start::leave_relief_to;
+use super::{Fetches, Found, Relief, ReliefRay, ReliefSearch, Start};
+use crate::Texture;
+
+/// Cone stepping.
+#[derive(Debug, Clone)]
+pub struct ConeSteps<'a> {
+    relief: Relief<'a>,
+    cones: Cones,
+}
+
+/// A cone map as it is sampled.
+#[derive(Debug, Clone)]
+pub(crate) struct Cones {
+    pub(crate) depth: Texture,
+    pub(crate) ratio: Texture,
+}
+
+impl Cones {
+    /// The gap below a ray at a depth of it, no greater than it is, and the ratio of the cone there. One fetch of a table.
+    #[inline]
+    pub(crate) fn sample(&self, ray: &ReliefRay, depth: f64) -> (f64, f64) {
+        let (x, y) = ray.at(depth);
+        (self.depth.sample(x, y) - depth, self.ratio.sample(x, y))
+    }
+}
+
+/// How far a ray can sink from a gap above the tip of a cone.
+#[inline]
+pub(crate) fn step(ray: &ReliefRay, gap: f64, ratio: f64) -> f64 {
+    // Along the normal all of the gap is free, whatever the ratio.
+    let part = if ray.tangent() > 0.0 { ratio / (ray.tangent() + ratio) } else { 1.0 };
+    if gap > 0.0 && part > 0.0 { gap * part } else { 0.0 }
+}
+
+impl<'a> ConeSteps<'a> {
+    pub(crate) fn of_cones(relief: &Relief<'a>, cones: Cones) -> Self {
+        Self { relief: *relief, cones }
+    }
+}
+
+impl ReliefSearch for ConeSteps<'_> {
+    fn name(&self) -> &'static str {
+        "cone steps"
+    }
+
+    fn find(&self, ray: &ReliefRay, start: Start) -> Found {
+        let mut fetches = start.fetches;
+        let mut depth = leave_relief_to(&self.relief, ray, start, &mut fetches);
+        let mut cell = Cell::behind(ray, depth);
+        let (mut sample, mut last_ratio) = (true, 0.0);
+        // It ends: every turn leaves the cell, and a ray's way is bounded.
+        loop {
+            let exit = cell.exit(ray, depth);
+            if sample {
+                fetches += Fetches::TABLE;
+                let (gap, ratio) = self.cones.sample(ray, depth);
+                let next = depth + step(ray, gap, ratio);
+                last_ratio = ratio;
+                if next > exit.depth && exit.depth < 1.0 {
+                    (depth, cell) = (next, Cell::behind(ray, next));
+                    continue;
+                }
+            }
+            fetches += Fetches::HEIGHT;
+            let corners = self.relief.corners(cell);
+            if let Some(depth) = Relief::hit_between(ray, cell, corners, (depth, exit.depth)) {
+                return Found { depth, fetches };
+            }
+            if exit.depth >= 1.0 {
+                return Found { depth: 1.0, fetches };
+            }
+            let gap = Relief::gap_in(ray, cell, corners, exit.depth);
+            (depth, cell) = (exit.depth, exit.next);
+            sample = depth + step(ray, gap, last_ratio) > cell.exit(ray, depth).depth;
+        }
+    }
+}
