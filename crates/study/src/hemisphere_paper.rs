@@ -154,7 +154,7 @@ impl Paper<'_> {
         let mut records = vec![judged(&seekers[0], Feed::Top, "baseline", STEPS)];
         let target = seekers[0].rms(&view.sights);
         for (feed, stored) in [(Feed::Nearest, &hemispheres.nearest), (Feed::Conservative, &hemispheres.conservative)] {
-            let start = DepthMapStart::new(&stored.view()?);
+            let start = stored.start(relief)?;
             let equal = ladder().find(|&steps| {
                 linear(relief, steps, Some(start.clone())).rms(&view.sights) <= EQUAL * target
             });
@@ -169,7 +169,7 @@ impl Paper<'_> {
     }
 }
 
-fn linear<'a>(relief: &Relief<'a>, steps: u32, start: Option<DepthMapStart>) -> Seeker<'a> {
+fn linear<'a>(relief: &Relief<'a>, steps: u32, start: Option<DepthMapStart<'a>>) -> Seeker<'a> {
     Seeker { search: Box::new(LinearSearch::new(relief, steps, BISECTIONS)), start }
 }
 

@@ -7,9 +7,13 @@ use barchan_asset::{
 use barchan_bakers::Exec;
 use barchan_bakers::hemisphere::{HemisphereBaker, HemisphereParams};
 use barchan_field::HeightField;
+use barchan_shade::{DepthMapStart, Relief};
 
 use crate::tables::table_grid;
 use crate::{Setting, Stopwatch, StudyError};
+
+/// Both modes, in the order of the docs.
+pub(crate) const MODES: [DepthMode; 2] = [DepthMode::Nearest, DepthMode::Conservative];
 
 /// What is varied of a hemisphere table.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,13 +76,17 @@ impl HemisphereSpec {
         HemisphereParams { directions: self.directions(), width: self.size, height: self.size, mode: self.mode }
     }
 
+    /// The mode as records have it.
+    pub(crate) fn mode_name(&self) -> &'static str {
+        if self.mode == DepthMode::Nearest { "nearest" } else { "conservative" }
+    }
+
     /// As records have it.
     pub(crate) fn setting(&self) -> Setting {
-        let mode = if self.mode == DepthMode::Nearest { "nearest" } else { "conservative" };
         let spacing =
             if self.spacing == RingSpacing::EqualAngles { "equal_angles" } else { "squared_tangents" };
         Setting::default()
-            .with("mode", mode)
+            .with("mode", self.mode_name())
             .with("size", self.size)
             .with("rings", self.rings)
             .with("azimuths", self.azimuths)
@@ -135,8 +143,10 @@ impl Layers<'_> {
 }
 
 impl StoredHemisphere {
-    pub(crate) fn view(&self) -> Result<HemisphereView<'_>, StudyError> {
-        Ok(HemisphereView::new(*self.table.descriptor(), self.table.payload())?)
+    /// Where rays into the relief that it was baked of start.
+    pub(crate) fn start(&self, relief: &Relief<'_>) -> Result<DepthMapStart<'_>, StudyError> {
+        let view = HemisphereView::new(*self.table.descriptor(), self.table.payload())?;
+        Ok(DepthMapStart::new(relief, &view)?)
     }
 
     pub(crate) fn bytes(&self) -> u64 {

@@ -19,13 +19,13 @@
 //! paper's 32 × 16 directions and 64 × 64 depths.
 
 use barchan_bakers::Exec;
-use barchan_shade::{DepthMapStart, Relief};
+use barchan_shade::Relief;
 
-use crate::hemisphere_spec::{HemisphereSpec, Layers};
+use crate::hemisphere_spec::{HemisphereSpec, Layers, StoredHemisphere};
 use crate::relief_method::{Feed, Method, Search};
 use crate::relief_rays::{Sight, anywhere, anywhere_within};
 use crate::relief_seeker::{Seeker, timed, timings};
-use crate::relief_tables::SearchTables;
+use crate::relief_tables::StoredSearch;
 use crate::runner::{Observer, Step};
 use crate::timer::Pace;
 use crate::{Record, Scale, Scene, Setting, StudyError, reliefs, start_faults, tables};
@@ -48,6 +48,14 @@ pub struct Searches<'a> {
     pub exec: &'a Exec<'a>,
     /// How long all methods are timed at one elevation.
     pub pace: Pace,
+}
+
+/// The tables of a relief.
+struct Stored {
+    /// In the order of [`Search::ALL`].
+    searches: Vec<StoredSearch>,
+    nearest: StoredHemisphere,
+    conservative: StoredHemisphere,
 }
 
 /// A relief, and for each method in turn what finds hits with it, its bytes and the seconds of its bakes.
@@ -80,7 +88,8 @@ pub fn measure(study: &Searches<'_>, scenes: &[Scene], observe: &mut Observer<'_
         observe(&Step { done, total: scenes.len(), what: &scene.name });
         let surface = tables::surface(&scene.field)?;
         let relief = Relief::new(&surface);
-        let bench = study.bench(scene, &relief)?;
+        let stored = study.bake(scene)?;
+        let bench = stored.bench(scene, &relief)?;
         let width = scene.field.grid().width;
         for elevation in ELEVATIONS {
             let sights = anywhere(&relief, width, 90.0 - elevation, study.rays);
@@ -96,28 +105,15 @@ pub fn measure(study: &Searches<'_>, scenes: &[Scene], observe: &mut Observer<'_
 }
 
 impl Searches<'_> {
-    fn bench<'a>(&self, scene: &'a Scene, relief: &Relief<'a>) -> Result<Bench<'a>, StudyError> {
-        let tables = SearchTables::bake(&scene.field, &Search::ALL, self.exec)?;
-        let stored =
+    fn bake(&self, scene: &Scene) -> Result<Stored, StudyError> {
+        let hemisphere =
             |spec: HemisphereSpec| HemisphereSpec { size: self.size, ..spec }.bake(&scene.field, Layers::All, self.exec);
-        let nearest = stored(HemisphereSpec::paper(MAX_POLAR))?;
-        let conservative = stored(HemisphereSpec::conservative(MAX_POLAR))?;
-        let mut bench = Bench { scene, seekers: Vec::new(), weights: Vec::new() };
-        for method in Method::all() {
-            let hemisphere = match method.feed {
-                Feed::Top => None,
-                Feed::Nearest => Some(&nearest),
-                Feed::Conservative => Some(&conservative),
-            };
-            let (start, more) = match hemisphere {
-                None => (None, (0, 0.0)),
-                Some(stored) => (Some(DepthMapStart::new(&stored.view()?)), (stored.bytes(), stored.seconds)),
-            };
-            let (bytes, seconds) = tables.weight(method.search);
-            bench.seekers.push(Seeker { search: tables.search(relief, method.search)?, start });
-            bench.weights.push((bytes + more.0, seconds + more.1));
-        }
-        Ok(bench)
+        let searches = Search::ALL.map(|search| StoredSearch::bake(search, &scene.field, self.exec));
+        Ok(Stored {
+            searches: searches.into_iter().collect::<Result<_, _>>()?,
+            nearest: hemisphere(HemisphereSpec::paper(MAX_POLAR))?,
+            conservative: hemisphere(HemisphereSpec::conservative(MAX_POLAR))?,
+        })
     }
 
     /// All methods under the same rays.
@@ -130,6 +126,27 @@ impl Searches<'_> {
         let records = records.collect();
         let some = &sights[..sights.len().min(self.timed_rays)];
         Ok(timed(records, &timings(&bench.seekers, some, &self.pace)?, some.len()))
+    }
+}
+
+impl Stored {
+    fn bench<'a>(&'a self, scene: &'a Scene, relief: &Relief<'a>) -> Result<Bench<'a>, StudyError> {
+        let mut bench = Bench { scene, seekers: Vec::new(), weights: Vec::new() };
+        for (search, feed) in self.searches.iter().flat_map(|search| Feed::ALL.map(|feed| (search, feed))) {
+            let hemisphere = match feed {
+                Feed::Top => None,
+                Feed::Nearest => Some(&self.nearest),
+                Feed::Conservative => Some(&self.conservative),
+            };
+            let (start, more) = match hemisphere {
+                None => (None, (0, 0.0)),
+                Some(stored) => (Some(stored.start(relief)?), (stored.bytes(), stored.seconds)),
+            };
+            let (bytes, seconds) = search.weight();
+            bench.seekers.push(Seeker { search: search.of(relief)?, start });
+            bench.weights.push((bytes + more.0, seconds + more.1));
+        }
+        Ok(bench)
     }
 }
 

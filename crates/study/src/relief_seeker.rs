@@ -10,7 +10,7 @@ use crate::{Item, Norms, Quantity, Record, StudyError};
 pub(crate) struct Seeker<'a> {
     pub(crate) search: Box<dyn ReliefSearch + 'a>,
     /// The top plane if there is none.
-    pub(crate) start: Option<DepthMapStart>,
+    pub(crate) start: Option<DepthMapStart<'a>>,
 }
 
 impl Seeker<'_> {

@@ -12,13 +12,13 @@
 
 use barchan_asset::{Encoding, RingSpacing};
 use barchan_bakers::Exec;
-use barchan_shade::{DepthMapStart, Relief};
+use barchan_shade::{Relief, Surface};
 
 use crate::hemisphere_spec::{HemisphereSpec, Layers};
 use crate::relief_method::Search;
 use crate::relief_rays::{Sight, anywhere};
 use crate::relief_seeker::Seeker;
-use crate::relief_tables::SearchTables;
+use crate::relief_tables::StoredSearch;
 use crate::runner::{Observer, Study};
 use crate::{Norms, Quantity, Record, Scale, Scene, Setting, StudyError, reliefs, tables};
 
@@ -43,8 +43,9 @@ pub struct Starts<'a> {
 
 /// What is true of a relief's rays, and what does without hemispheres.
 pub struct Truth {
-    surface: barchan_shade::Surface,
-    cones: SearchTables,
+    surface: Surface,
+    /// Those of [`FROM_TOP`].
+    searches: [StoredSearch; 2],
     sights: Vec<(f64, Vec<Sight>)>,
 }
 
@@ -80,11 +81,11 @@ impl Study for Starts<'_> {
 
     fn truth(&self, scene: &Scene) -> Result<Truth, StudyError> {
         let surface = tables::surface(&scene.field)?;
-        let cones = SearchTables::bake(&scene.field, &FROM_TOP, self.exec)?;
+        let [cones, linear] = FROM_TOP.map(|search| StoredSearch::bake(search, &scene.field, self.exec));
         let relief = Relief::new(&surface);
         let width = scene.field.grid().width;
         let sights = ANGLES.map(|angle| (angle, anywhere(&relief, width, angle, self.rays))).into();
-        Ok(Truth { surface, cones, sights })
+        Ok(Truth { surface, searches: [cones?, linear?], sights })
     }
 
     fn measure(&self, scene: &Scene, truth: &Truth, setting: &Option<HemisphereSpec>) -> Result<Vec<Record>, StudyError> {
@@ -99,8 +100,8 @@ impl Starts<'_> {
     fn from_table(&self, scene: &Scene, truth: &Truth, spec: &HemisphereSpec) -> Result<Vec<Record>, StudyError> {
         let stored = spec.bake(&scene.field, Layers::AtAngles(&ANGLES), self.exec)?;
         let relief = Relief::new(&truth.surface);
-        let search = truth.cones.search(&relief, Search::Cones)?;
-        let seeker = Seeker { search, start: Some(DepthMapStart::new(&stored.view()?)) };
+        let search = truth.searches[0].of(&relief)?;
+        let seeker = Seeker { search, start: Some(stored.start(&relief)?) };
         let records = truth.sights.iter().flat_map(|(angle, sights)| {
             let setting = spec.setting().with("angle", angle);
             let blank = |what: &str| {
@@ -122,10 +123,11 @@ impl Truth {
             let record = Record::new("relief_start", Setting::default().with("mode", "true").with("angle", angle), scene);
             let samples = Some(sights.len() as u64);
             records.push(Record { quantity: Some(Quantity::StartDepth), samples, mean: Some(depths), ..record });
-            for search in FROM_TOP {
-                let setting = Setting::default().with("search", search.name()).with("angle", angle);
-                let seeker = Seeker { search: self.cones.search(&relief, search)?, start: None };
-                let record = Record { bytes: Some(self.cones.weight(search).0), ..Record::new("relief_search", setting, scene) };
+            for search in &self.searches {
+                let setting = Setting::default().with("search", search.search.name()).with("angle", angle);
+                let seeker = Seeker { search: search.of(&relief)?, start: None };
+                let bytes = Some(search.weight().0);
+                let record = Record { bytes, ..Record::new("relief_search", setting, scene) };
                 records.push(seeker.judge(record, sights));
             }
         }

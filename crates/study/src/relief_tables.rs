@@ -1,4 +1,4 @@
-//! What a run time may have of a relief: every table that a search reads, as a file stores it.
+//! What a search reads beside heights, as a file stores it.
 
 use barchan_asset::{
     ConeMapTable, ConeMapView, Encoding, MaximumMipTable, MaximumMipView, RelaxedConeMapTable, RelaxedConeMapView,
@@ -9,88 +9,73 @@ use barchan_bakers::cone::{self, ConeKind};
 use barchan_bakers::maximum_mip;
 use barchan_field::HeightField;
 use barchan_shade::{
-    ConeSteps, DepthMapStart, LinearSearch, MaximumMipTraversal, ParallaxOcclusion, RelaxedConeSteps, Relief,
-    ReliefSearch, Surface,
+    ConeSteps, LinearSearch, MaximumMipTraversal, ParallaxOcclusion, RelaxedConeSteps, Relief, ReliefSearch,
 };
 
-use crate::hemisphere_spec::{HemisphereSpec, Layers, StoredHemisphere};
-use crate::relief_method::{Feed, Method, Search};
-use crate::relief_seeker::Seeker;
-use crate::tables::{surface, table_grid};
+use crate::relief_method::Search;
+use crate::tables::table_grid;
 use crate::{Stopwatch, StudyError};
 
-/// Steps of the linear searches, and halvings after them.
+/// Steps of the linear searches.
 pub(crate) const STEPS: u32 = 64;
-/// See [`STEPS`].
+
+/// Halvings of the last step.
 pub(crate) const BISECTIONS: u32 = 8;
 
-/// Tables that searches read, as a file stores them.
-pub(crate) struct SearchTables(Vec<(Search, Stored)>);
-
-/// A table, and the processor time of its bake in seconds.
-struct Stored {
-    table: TextureTable,
+/// A search and its table.
+pub(crate) struct StoredSearch {
+    pub(crate) search: Search,
+    /// None if heights are enough.
+    table: Option<TextureTable>,
+    /// Processor time of the bake.
     seconds: f64,
 }
 
-impl SearchTables {
-    /// Bakes what these searches read.
-    pub(crate) fn bake(field: &HeightField, searches: &[Search], exec: &Exec<'_>) -> Result<Self, StudyError> {
-        let mut tables = Vec::new();
-        for &search in searches {
-            match search {
-                Search::Linear | Search::Parallax => {}
-                Search::Cones => tables.push((search, stored(|| cones(field, ConeKind::Strict, exec))?)),
-                Search::RelaxedCones => tables.push((search, stored(|| cones(field, ConeKind::Relaxed, exec))?)),
-                Search::MaximumMip => tables.push((search, stored(|| mip(field, exec))?)),
-            }
-        }
-        Ok(Self(tables))
+impl StoredSearch {
+    pub(crate) fn bake(search: Search, field: &HeightField, exec: &Exec<'_>) -> Result<Self, StudyError> {
+        let watch = Stopwatch::start();
+        let table = match search {
+            Search::Linear | Search::Parallax => None,
+            Search::Cones | Search::RelaxedCones => Some(cones(search, field, exec)?),
+            Search::MaximumMip => Some(mip(field, exec)?),
+        };
+        Ok(Self { search, table, seconds: watch.elapsed().core_seconds() })
     }
 
-    /// The search, if its table was baked.
-    pub(crate) fn search<'a>(
-        &self,
-        relief: &Relief<'a>,
-        search: Search,
-    ) -> Result<Box<dyn ReliefSearch + 'a>, StudyError> {
-        Ok(match search {
-            Search::Linear => Box::new(LinearSearch::new(relief, STEPS, BISECTIONS)),
-            Search::Parallax => Box::new(ParallaxOcclusion::new(relief, STEPS)),
-            Search::Cones => {
-                let (descriptor, payload) = self.stored(search)?;
-                Box::new(ConeSteps::new(relief, &ConeMapView::new(descriptor, payload)?)?)
-            }
-            Search::RelaxedCones => {
-                let (descriptor, payload) = self.stored(search)?;
-                Box::new(RelaxedConeSteps::new(relief, &RelaxedConeMapView::new(descriptor, payload)?)?)
-            }
+    /// The search of the relief that the table was baked of.
+    pub(crate) fn of<'a>(&self, relief: &Relief<'a>) -> Result<Box<dyn ReliefSearch + 'a>, StudyError> {
+        let Some(table) = &self.table else {
+            return Ok(match self.search {
+                Search::Parallax => Box::new(ParallaxOcclusion::new(relief, STEPS)),
+                _ => Box::new(LinearSearch::new(relief, STEPS, BISECTIONS)),
+            });
+        };
+        let (descriptor, payload) = (*table.descriptor(), table.payload());
+        Ok(match self.search {
             Search::MaximumMip => {
-                let (descriptor, payload) = self.stored(search)?;
                 Box::new(MaximumMipTraversal::new(relief, &MaximumMipView::new(descriptor, payload)?)?)
             }
+            Search::RelaxedCones => {
+                let view = RelaxedConeMapView::new(descriptor, payload)?;
+                Box::new(RelaxedConeSteps::new(relief, &view, BISECTIONS)?)
+            }
+            _ => Box::new(ConeSteps::new(relief, &ConeMapView::new(descriptor, payload)?)?),
         })
     }
 
-    /// Bytes of what a search reads beside heights, and the seconds of its bake.
-    pub(crate) fn weight(&self, search: Search) -> (u64, f64) {
-        let stored = self.0.iter().find(|(of, _)| *of == search);
-        stored.map_or((0, 0.0), |(_, stored)| (stored.table.payload().len() as u64, stored.seconds))
+    /// Bytes of the table, and the seconds of its bake.
+    pub(crate) fn weight(&self) -> (u64, f64) {
+        self.table.as_ref().map_or((0, 0.0), |table| (table.payload().len() as u64, self.seconds))
     }
 }
 
-fn stored(bake: impl FnOnce() -> Result<TextureTable, StudyError>) -> Result<Stored, StudyError> {
-    let watch = Stopwatch::start();
-    let table = bake()?;
-    Ok(Stored { table, seconds: watch.elapsed().core_seconds() })
-}
-
-pub(crate) fn cones(field: &HeightField, kind: ConeKind, exec: &Exec<'_>) -> Result<TextureTable, StudyError> {
+fn cones(search: Search, field: &HeightField, exec: &Exec<'_>) -> Result<TextureTable, StudyError> {
+    let kind = if search == Search::RelaxedCones { ConeKind::Relaxed } else { ConeKind::Strict };
     let map = cone::bake(field, kind, exec)?;
     let (grid, relief, values) = (table_grid(field.grid()), map.relief, &map.values[..]);
     Ok(match kind {
         ConeKind::Relaxed => RelaxedConeMapTable { grid, relief, values }.encode(Encoding::Compact)?,
-        _ => ConeMapTable { grid, relief, values }.encode(Encoding::Compact)?,
+        ConeKind::Strict => ConeMapTable { grid, relief, values }.encode(Encoding::Compact)?,
     })
 }
 
