@@ -49,8 +49,8 @@ pub use picture::{Palette, Picture, Pixels};
 pub use place::Place;
 pub use principal::PrincipalUv;
 pub use relief::{
-    ConeSteps, Fetches, Found, LinearSearch, MaximumMipTraversal, ParallaxOcclusion, RelaxedConeSteps, Relief,
-    ReliefRay, ReliefSearch, Start, TracedRelief,
+    ConeSteps, DepthMapStart, Fetches, Found, LinearSearch, MaximumMipTraversal, MismatchedRelief, ParallaxOcclusion,
+    RelaxedConeSteps, Relief, ReliefRay, ReliefSearch, Start, TracedRelief,
 };
 pub use sky::SkyLight;
 pub use surface::Surface;

@@ -21,7 +21,10 @@
 //! - After a cell without a hit the gap is known without a fetch. If the ratio last seen says that a step from there would not
 //!   get out of the next cell either, that is gathered at once. A guess only costs or saves a fetch, never a hit.
 
+use barchan_asset::{ConeMapView, TableView};
+
 use super::cell::Cell;
+use super::matching::{MismatchedRelief, check_range, check_texels};
 use super::start::leave_relief_to;
 use super::{Fetches, Found, Relief, ReliefRay, ReliefSearch, Start};
 use crate::Texture;
@@ -36,11 +39,16 @@ pub struct ConeSteps<'a> {
 /// A cone map as it is sampled.
 #[derive(Debug, Clone)]
 pub(crate) struct Cones {
-    pub(crate) depth: Texture,
-    pub(crate) ratio: Texture,
+    depth: Texture,
+    ratio: Texture,
 }
 
 impl Cones {
+    /// Decodes both channels.
+    pub(crate) fn new(table: &TableView<'_>) -> Self {
+        Self { depth: Texture::of_channel(table, 0, 0), ratio: Texture::of_channel(table, 0, 1) }
+    }
+
     /// The gap below a ray at a depth of it, no greater than it is, and the ratio of the cone there. One fetch of a table.
     #[inline]
     pub(crate) fn sample(&self, ray: &ReliefRay, depth: f64) -> (f64, f64) {
@@ -58,8 +66,14 @@ pub(crate) fn step(ray: &ReliefRay, gap: f64, ratio: f64) -> f64 {
 }
 
 impl<'a> ConeSteps<'a> {
-    pub(crate) fn of_cones(relief: &Relief<'a>, cones: Cones) -> Self {
-        Self { relief: *relief, cones }
+    /// Of a cone map and the heights it was baked of.
+    ///
+    /// # Errors
+    /// A table with another size, spacing, edge or range of depths.
+    pub fn new(relief: &Relief<'a>, cones: &ConeMapView<'_>) -> Result<Self, MismatchedRelief> {
+        check_texels(relief, cones.descriptor(), "cone map")?;
+        check_range(relief, cones.relief(), "cone map")?;
+        Ok(Self { relief: *relief, cones: Cones::new(&cones.table()) })
     }
 }
 

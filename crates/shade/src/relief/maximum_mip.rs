@@ -18,9 +18,10 @@
 //!   above it that it would come through the larger one, too, if that were no higher. Both save fetches and change no
 //!   hit; `barchan_shade`'s bench and the study say how many.
 
-use barchan_asset::Wrap;
+use barchan_asset::{MaximumMipView, Wrap};
 
 use super::cell::{Block, Cell, Exit};
+use super::matching::{MismatchedRelief, check_texels, check_top};
 use super::start::leave_relief_to;
 use super::{Fetches, Found, Relief, ReliefRay, ReliefSearch, Start};
 
@@ -54,11 +55,21 @@ struct Place {
 }
 
 impl<'a> MaximumMipTraversal<'a> {
-    /// Of levels of greatest heights, from level 0 on.
-    pub(crate) fn of_levels(relief: &Relief<'a>, levels: impl Iterator<Item = ((u32, u32), Vec<f32>)>) -> Self {
-        let depths = |heights: Vec<f32>| heights.into_iter().map(|height| relief.depth_of(height.into())).collect();
-        let levels = levels.map(|(extent, heights)| Level { extent, depths: depths(heights) }).collect();
-        Self { relief: *relief, levels, wrap: relief.surface().heights().wrap() }
+    /// Of maximum mips and the heights they were baked of.
+    ///
+    /// # Errors
+    /// A table with another size, spacing, edge or a lower top.
+    pub fn new(relief: &Relief<'a>, mips: &MaximumMipView<'_>) -> Result<Self, MismatchedRelief> {
+        check_texels(relief, mips.descriptor(), "maximum mip")?;
+        check_top(relief, mips, "maximum mip")?;
+        let level = |level| {
+            let (width, height) = mips.extent(level);
+            let depth = |column, row| relief.depth_of(mips.value(level, column, row).into());
+            let depths = (0..height).flat_map(|row| (0..width).map(move |column| depth(column, row))).collect();
+            Level { extent: (width, height), depths }
+        };
+        let levels = (0..mips.levels()).map(level).collect();
+        Ok(Self { relief: *relief, levels, wrap: relief.surface().heights().wrap() })
     }
 
     /// The level to begin with.

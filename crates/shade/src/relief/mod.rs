@@ -25,7 +25,9 @@
 
 mod cell;
 mod cones;
+mod depth_map;
 mod linear;
+mod matching;
 mod maximum_mip;
 mod parallax;
 mod ray;
@@ -35,7 +37,9 @@ mod surface;
 mod traced;
 
 pub use cones::ConeSteps;
+pub use depth_map::DepthMapStart;
 pub use linear::LinearSearch;
+pub use matching::MismatchedRelief;
 pub use maximum_mip::MaximumMipTraversal;
 pub use parallax::ParallaxOcclusion;
 pub use ray::ReliefRay;

@@ -9,8 +9,11 @@
 //!   the thickness, so that they end.
 //! - The hit is the middle of what bisection leaves.
 
+use barchan_asset::RelaxedConeMapView;
+
 use super::cones::{Cones, step};
 use super::linear::bisect;
+use super::matching::{MismatchedRelief, check_range, check_texels};
 use super::start::{Left, STEP_BACK, leave_relief};
 use super::{Fetches, Found, Relief, ReliefRay, ReliefSearch, Start};
 
@@ -26,8 +29,14 @@ pub struct RelaxedConeSteps<'a> {
 }
 
 impl<'a> RelaxedConeSteps<'a> {
-    pub(crate) fn of_cones(relief: &Relief<'a>, cones: Cones, bisections: u32) -> Self {
-        Self { relief: *relief, cones, bisections }
+    /// Of a relaxed cone map and the heights it was baked of; the last step is halved `bisections` times, 64 at most.
+    ///
+    /// # Errors
+    /// A table with another size, spacing, edge or range of depths.
+    pub fn new(relief: &Relief<'a>, cones: &RelaxedConeMapView<'_>, bisections: u32) -> Result<Self, MismatchedRelief> {
+        check_texels(relief, cones.descriptor(), "relaxed cone map")?;
+        check_range(relief, cones.relief(), "relaxed cone map")?;
+        Ok(Self { relief: *relief, cones: Cones::new(&cones.table()), bisections })
     }
 
     /// Steps until one ends inside. The floor is inside without a look.
