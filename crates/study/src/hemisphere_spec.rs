@@ -17,15 +17,21 @@ pub(crate) const MODES: [DepthMode; 2] = [DepthMode::Nearest, DepthMode::Conserv
 
 /// What is varied of a hemisphere table.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct HemisphereSpec {
-    pub(crate) mode: DepthMode,
+pub struct HemisphereSpec {
+    /// What a depth promises.
+    pub mode: DepthMode,
     /// Texels along each side.
-    pub(crate) size: u32,
-    pub(crate) rings: u32,
-    pub(crate) azimuths: u32,
-    pub(crate) spacing: RingSpacing,
-    pub(crate) max_polar_degrees: f64,
-    pub(crate) encoding: Encoding,
+    pub size: u32,
+    /// Rings of directions.
+    pub rings: u32,
+    /// Azimuths of directions, all round.
+    pub azimuths: u32,
+    /// How the polar angle is cut.
+    pub spacing: RingSpacing,
+    /// Where the last ring ends, from the normal.
+    pub max_polar_degrees: f64,
+    /// How depths are stored.
+    pub encoding: Encoding,
 }
 
 /// A table, and what its bake took.

@@ -19,7 +19,7 @@ use crate::relief_method::Search;
 use crate::relief_rays::{Sight, anywhere};
 use crate::relief_seeker::Seeker;
 use crate::relief_tables::StoredSearch;
-use crate::runner::{Observer, Study};
+use crate::runner::Study;
 use crate::{Norms, Quantity, Record, Scale, Scene, Setting, StudyError, reliefs, tables};
 
 /// Angles of the rays from the normal, degrees.
