@@ -85,7 +85,7 @@ impl AssetFile {
 
     fn payload(&self, table: Table) -> Result<(Section<'_>, Cow<'_, [u8]>), Failure> {
         let missing = || {
-            let present = self.tables().map(|tables| list(&tables)).unwrap_or_default();
+            let present = self.tables().map(|tables| list_tables(&tables)).unwrap_or_default();
             self.content(format!("there is no {} table; the file has {present}", table.name()))
         };
         let section = self.open()?.section(table.kind()).ok_or_else(missing)?;
@@ -132,9 +132,14 @@ impl DecodedTable<'_> {
         layer % self.directions()
     }
 
-    /// The candidate of a layer of a swept table, counted from 0.
-    pub(crate) fn candidate(&self, layer: u32) -> u32 {
+    /// The candidate of a layer of a swept table, or the ring of one of a hemisphere table, counted from 0.
+    pub(crate) fn candidate_or_ring(&self, layer: u32) -> u32 {
         layer / self.directions()
+    }
+
+    /// Where a ring of a hemisphere table begins, in degrees from the normal.
+    pub(crate) fn polar_degrees(&self, ring: u32) -> f64 {
+        self.descriptor.directions().map_or(0.0, |directions| libm::atan(directions.tangent_of_edge(ring)).to_degrees())
     }
 
     fn directions(&self) -> u32 {
@@ -143,8 +148,12 @@ impl DecodedTable<'_> {
 }
 
 /// `height, horizon and distance`, or `no table`.
-pub(crate) fn list(tables: &[Table]) -> String {
-    let names: Vec<_> = tables.iter().map(|table| table.name()).collect();
+pub(crate) fn list_tables(tables: &[Table]) -> String {
+    list(&tables.iter().map(|table| table.name()).collect::<Vec<_>>())
+}
+
+/// [`list_tables`] of names.
+pub(crate) fn list(names: &[&str]) -> String {
     match names.split_last() {
         None => "no table".to_owned(),
         Some((last, [])) => (*last).to_owned(),

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use barchan_asset::TextureDescriptor;
-use barchan_pipeline::HorizonAccuracy;
+use barchan_pipeline::{HorizonAccuracy, StartAccuracy};
 use serde::Serialize;
 
 use crate::failure::Failure;
@@ -132,6 +132,16 @@ pub(crate) fn accuracy(accuracy: &HorizonAccuracy) -> String {
         "as stored {stored_rms_degrees:.3}° RMS, {stored_max_degrees:.2}° at most; before encoding \
          {sweep_rms_degrees:.3}° and {sweep_max_degrees:.2}° ({samples} samples against the exact horizon)"
     )
+}
+
+/// How near to the surface rays start.
+pub(crate) fn starts(accuracy: &StartAccuracy) -> String {
+    let StartAccuracy { samples, mean_start, mean_hit, beyond_share, beyond_max } = accuracy;
+    let beyond = match beyond_share {
+        0.0 => "none beyond its hit".to_owned(),
+        share => format!("{:.2} % beyond their hits, by {beyond_max:.3} at most", 100.0 * share),
+    };
+    format!("at depth {mean_start:.3} on average where rays hit at {mean_hit:.3}; {beyond} ({samples} rays)")
 }
 
 #[cfg(test)]

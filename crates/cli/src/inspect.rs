@@ -1,14 +1,17 @@
 //! `barchan inspect`: what a file holds.
 
-use barchan_asset::{Asset, CurvatureDescriptor, CurvatureView, Section, SectionKind, TextureDescriptor, VertexFlags};
+use barchan_asset::{
+    Asset, CurvatureDescriptor, CurvatureView, DepthMode, Section, SectionKind, TextureDescriptor, VertexFlags,
+};
 use barchan_pipeline::{
-    CurvatureProvenance, EncodingProvenance, FlagCount, HorizonProvenance, MeshProvenance, Provenance,
+    CurvatureProvenance, EncodingProvenance, FlagCount, HemisphereProvenance, HorizonProvenance, MeshProvenance,
+    Provenance, ReliefSearchProvenance,
 };
 use serde::Serialize;
 
 use crate::args::FileArguments;
 use crate::asset_file::AssetFile;
-use crate::bake::layer_words;
+use crate::bake::{LayerCounts, layer_words};
 use crate::console::{self, bytes, number, value_in};
 use crate::failure::{ExitStatus, Failure};
 use crate::mesh_words;
@@ -95,8 +98,29 @@ struct TableReport {
     candidates: Option<u32>,
     /// The curvatures a swept table serves, in 1 / length unit.
     curvature: Option<(f64, f64)>,
+    /// Of a hemisphere table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    directions: Option<DirectionsReport>,
+    /// The heights of depth 0 and of depth 1, in the length unit, where values are depths.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    relief: Option<ReliefReport>,
     #[serde(skip)]
     descriptor: TextureDescriptor,
+}
+
+#[derive(Serialize)]
+struct DirectionsReport {
+    rings: u32,
+    azimuths: u32,
+    ring_spacing: &'static str,
+    max_polar_degrees: f64,
+    depth_mode: Option<&'static str>,
+}
+
+#[derive(Serialize)]
+struct ReliefReport {
+    top: f64,
+    thickness: f64,
 }
 
 pub(crate) fn run(arguments: &FileArguments, json: bool) -> Result<ExitStatus, Failure> {
@@ -167,6 +191,14 @@ fn table_report(descriptor: TextureDescriptor) -> TableReport {
         arc_degrees: console::covered_arc(&descriptor),
         candidates: descriptor.semantic.is_swept().then_some(descriptor.candidates),
         curvature: descriptor.semantic.is_swept().then_some((descriptor.curvature_min, descriptor.curvature_max)),
+        directions: descriptor.directions().map(|directions| DirectionsReport {
+            rings: directions.rings,
+            azimuths: directions.azimuths.count(),
+            ring_spacing: directions.spacing.name(),
+            max_polar_degrees: directions.max_polar_radians.to_degrees(),
+            depth_mode: descriptor.depth_mode.map(DepthMode::name),
+        }),
+        relief: descriptor.relief().map(|relief| ReliefReport { top: relief.top, thickness: relief.thickness }),
         descriptor,
     }
 }
@@ -236,7 +268,12 @@ fn table_words(table: &TableReport) -> Vec<String> {
     let descriptor = &table.descriptor;
     let in_unit = |value| value_in(descriptor.unit, value);
     let length = descriptor.length_unit.symbol();
-    let layers = layer_words(table.layers, descriptor.candidates);
+    let layers = layer_words(LayerCounts {
+        layers: table.layers,
+        candidates: descriptor.candidates,
+        rings: descriptor.rings,
+        mips: table.mips,
+    });
     let arc = table.arc_degrees.map(|arc| format!(" {}", console::arc(arc))).unwrap_or_default();
     let curvature = table.curvature.map(|(min, max)| format!(", curvature {min} to {max} per {length}"));
     let transfer = match table.transfer {
@@ -248,7 +285,7 @@ fn table_words(table: &TableReport) -> Vec<String> {
         0.0 => "exact".to_owned(),
         error => format!("encoded to ± {}", in_unit(error)),
     };
-    vec![
+    let mut words = vec![
         format!(
             "{} × {} texels of {} × {} {length}{layers}{arc}, {}{transfer}, {} / {}{}{}",
             table.width,
@@ -262,7 +299,18 @@ fn table_words(table: &TableReport) -> Vec<String> {
             curvature.unwrap_or_default(),
         ),
         format!("{} {} to {}, {error}", table.semantic, in_unit(table.minimum), in_unit(table.maximum)),
-    ]
+    ];
+    words.extend(table.directions.as_ref().map(directions_words));
+    words.extend(table.relief.as_ref().map(|ReliefReport { top, thickness }| {
+        format!("depth 0 at {} {length}, depth 1 at {} {length}", number(*top), number(top - thickness))
+    }));
+    words
+}
+
+fn directions_words(directions: &DirectionsReport) -> String {
+    let DirectionsReport { ring_spacing, max_polar_degrees, depth_mode, .. } = directions;
+    let mode = depth_mode.unwrap_or("unknown");
+    format!("{mode}, rings to {}° from the normal by {ring_spacing}", number(*max_polar_degrees))
 }
 
 fn curvature_words(curvature: &CurvatureReport) -> Vec<String> {
@@ -306,6 +354,7 @@ fn provenance_words(json: &serde_json::Value, length: &str) -> Vec<String> {
         words.extend(swept.on_mesh.iter().map(|range| format!("swept {}", mesh_words::swept(range, length))));
     }
     words.extend(provenance.sky.map(|sky| sky.algorithm));
+    words.extend(provenance.relief_search.iter().flat_map(search_words));
     if let (Some(curvature), Some(mesh)) = (&provenance.curvature, &provenance.mesh) {
         words.extend(curvature_provenance_words(curvature, mesh, length));
     }
@@ -328,6 +377,21 @@ fn horizon_words(horizon: &HorizonProvenance) -> Vec<String> {
     let arc = arc.map(|arc| format!(" {}", console::arc(arc))).unwrap_or_default();
     let baked = format!("{algorithm}{method}, {directions} directions{arc}, radius {radius}");
     std::iter::once(baked).chain(accuracy.as_ref().map(console::accuracy)).collect()
+}
+
+fn search_words(search: &ReliefSearchProvenance) -> Vec<String> {
+    let ReliefSearchProvenance { hemisphere, cone_map, relaxed_cone_map, maximum_mip } = search;
+    let mut words: Vec<_> = hemisphere.iter().flat_map(hemisphere_words).collect();
+    words.extend([cone_map, relaxed_cone_map, maximum_mip].into_iter().flatten().cloned());
+    words
+}
+
+fn hemisphere_words(hemisphere: &HemisphereProvenance) -> [String; 2] {
+    let HemisphereProvenance { algorithm, mode, rings, azimuths, spacing, max_polar_degrees, arc, .. } = hemisphere;
+    let arc = arc.map(|arc| format!(" {}", console::arc(arc))).unwrap_or_default();
+    let rings = format!("{rings} rings to {}° by {}", number(*max_polar_degrees), spacing.name());
+    let baked = format!("{algorithm} {}, {rings}, {azimuths} azimuths{arc}", mode.name());
+    [baked, format!("starts {}", console::starts(&hemisphere.accuracy))]
 }
 
 /// What storing cost, measured over all values.

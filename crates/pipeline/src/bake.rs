@@ -43,8 +43,9 @@ pub struct Run<'a> {
 ///
 /// Directions are baked, encoded and written one after the other. In memory are the field, 4 bytes a texel; what one
 /// direction needs, 8 bytes a texel and the stored form; where tables of the sky are baked, the sums of a
-/// [`barchan_bakers::sky::SkyAccumulator`]; where curvature is swept, 8 bytes a texel for every bend and point; and, if
-/// tables are packed, all of their stored form. A mesh, its curvature and the table made of it are in memory as a whole.
+/// [`barchan_bakers::sky::SkyAccumulator`]; where curvature is swept, 8 bytes a texel for every bend and point; for relief search
+/// the heights as stored, 4 bytes a texel, and then whole cone maps, 8 bytes a texel, or mips, 6; and, if tables are packed, all
+/// of their stored form. A mesh, its curvature and the table made of it are in memory as a whole.
 ///
 /// # Errors
 /// Whatever is wrong with the recipe, the height map, the mesh or the file. What was written to is then no file that a reader
@@ -61,7 +62,7 @@ pub fn bake<W: Read + Write + Seek>(plan: &Plan, run: &Run<'_>, out: W) -> Resul
 
     let mut sink = Sink::new(out, codec(plan.recipe.compression), clock);
     let relief = match &inputs.relief {
-        Some(loaded) => relief::bake(plan, &loaded.field, on_mesh, &exec, &mut sink)?,
+        Some(loaded) => relief::bake(plan, &loaded.field, on_mesh, (run, &exec), &mut sink)?,
         None => ReliefDone::default(),
     };
     let stored = mesh.zip(found.as_ref()).filter(|_| plan.bakes(Table::Curvature));
@@ -77,6 +78,7 @@ pub fn bake<W: Read + Write + Seek>(plan: &Plan, run: &Run<'_>, out: W) -> Resul
         horizon: relief.horizon,
         swept: relief.swept,
         sky: tables.iter().any(|table| table.is_of_the_sky()).then(SkyProvenance::new),
+        relief_search: relief.search,
         curvature: found.map(|found| found.provenance),
         encodings,
         ..Provenance::of_recipe(&plan.recipe, &tables)

@@ -22,10 +22,17 @@ mod plan;
 mod provenance;
 mod recipe;
 mod relief;
+mod relief_recipe;
+mod relief_search;
 mod report;
+mod scene;
+mod search_params;
+mod search_provenance;
+mod search_recipe;
 mod sink;
 mod source;
 mod spacing;
+mod start_accuracy;
 mod swept_range;
 mod syntax;
 mod table;
@@ -42,10 +49,14 @@ pub use provenance::{
     CanonicalRecipe, EncodingProvenance, HorizonProvenance, InputProvenance, PROVENANCE_SCHEMA, Provenance,
     SkyProvenance, SweptProvenance,
 };
-pub use recipe::{
-    Compression, CurvedRecipe, DistanceRecipe, HeightMapSource, HeightRecipe, HorizonMethod, HorizonRecipe, Recipe,
-    RecipeError, Scene, ShapeSource, SkyRecipe, Source, TableEncoding,
+pub use recipe::{Compression, HeightMapSource, Recipe, RecipeError, ShapeSource, Source};
+pub use relief_recipe::{
+    CurvedRecipe, DistanceRecipe, HeightRecipe, HorizonMethod, HorizonRecipe, SkyRecipe, TableEncoding,
 };
 pub use report::{BAKE_SCHEMA, BakeReport, ColumnReport, GridReport, LeftOut, MeshReport, StageTime, TableReport};
+pub use scene::{ReliefMapping, ReliefSearch, Scene};
+pub use search_provenance::{HemisphereProvenance, ReliefSearchProvenance};
+pub use search_recipe::{ConeMapRecipe, HemisphereMode, HemisphereRecipe, HemisphereSpacing, MaximumMipRecipe};
+pub use start_accuracy::StartAccuracy;
 pub use swept_range::MeshRange;
 pub use table::Table;

@@ -4,8 +4,9 @@ use barchan_asset::Encoding;
 use barchan_bakers::horizon::Azimuths;
 use barchan_bakers::sky::MIN_SKY_DIRECTIONS;
 use barchan_bakers::swept::SweptParams;
+use barchan_field::Grid;
 
-use crate::{HorizonRecipe, PipelineError, Recipe, Scene, Table};
+use crate::{HemisphereMode, HorizonRecipe, PipelineError, Recipe, ReliefMapping, ReliefSearch, Scene, Table};
 
 /// A recipe with a decision for every table.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,10 +61,20 @@ impl Plan {
         self.tables.iter().any(|planned| planned.table == table && planned.decision == Decision::Bake)
     }
 
-    /// Whether horizons are looked for: all tables of relief but the heights come from them.
+    /// Whether horizons are looked for.
     #[must_use]
     pub fn needs_horizon(&self) -> bool {
-        Table::ALL.into_iter().any(|table| table != Table::Height && !table.is_of_a_mesh() && self.bakes(table))
+        self.bakes_any(Table::is_of_horizons)
+    }
+
+    /// Whether tables are baked by which rays find their hit.
+    #[must_use]
+    pub fn serves_relief_search(&self) -> bool {
+        self.bakes_any(Table::is_for_relief_search)
+    }
+
+    fn bakes_any(&self, is_meant: impl Fn(Table) -> bool) -> bool {
+        Table::ALL.into_iter().any(|table| is_meant(table) && self.bakes(table))
     }
 
     /// Refuses to bake a table from nothing.
@@ -90,6 +101,12 @@ impl Plan {
         self.recipe.mesh.is_some() && self.curvature().is_none() && self.swept_table().is_some()
     }
 
+    /// From where rays come: what the scene says of relief mapping, or what is taken where nobody says.
+    #[must_use]
+    pub fn relief_mapping(&self) -> ReliefMapping {
+        self.recipe.scene.and_then(|scene| scene.relief_mapping).unwrap_or_default()
+    }
+
     fn swept_table(&self) -> Option<Table> {
         Table::ALL.into_iter().find(|&table| table.is_swept() && self.bakes(table))
     }
@@ -110,16 +127,42 @@ impl Plan {
         (planned.decision == Decision::LeaveOut).then_some(planned.reason)
     }
 
+    /// How many texels a texture has or would have for heights on a grid, all layers and levels together; of a swept table as many
+    /// as are certain.
+    pub(crate) fn texels(&self, table: Table, grid: &Grid) -> u64 {
+        let Recipe { horizon, curved, hemisphere, .. } = &self.recipe;
+        let (texels, directions) = (grid.texels() as u64, u64::from(horizon.directions));
+        match table {
+            Table::Horizon | Table::Distance => texels * directions,
+            table if table.is_swept() => texels * directions * u64::from(curved.points.unwrap_or(2).saturating_sub(1)),
+            Table::Hemisphere => {
+                let (width, height) = hemisphere.size_for(grid.width, grid.height);
+                let factors = [width, height, hemisphere.rings, hemisphere.azimuths];
+                factors.into_iter().map(u64::from).fold(1, u64::saturating_mul)
+            }
+            Table::MaximumMip => {
+                let extent = |texels: u32, level| u64::from(texels >> level).max(1);
+                let levels = 0..=grid.width.max(grid.height).ilog2();
+                levels.map(|level| extent(grid.width, level) * extent(grid.height, level)).sum()
+            }
+            _ => texels,
+        }
+    }
+
     /// How a table is stored, or would be.
     #[must_use]
     pub fn encoding(&self, table: Table) -> Encoding {
-        let Recipe { height, horizon, distance, curved, sky, curvature, .. } = &self.recipe;
+        let Recipe { height, horizon, distance, curved, sky, hemisphere, cone_map, maximum_mip, curvature, .. } =
+            &self.recipe;
         match table {
             Table::Height => height.encoding.into(),
             Table::Horizon => horizon.encoding.into(),
             Table::Distance => distance.encoding.into(),
             Table::SweptHorizon | Table::SweptDistance => curved.encoding.into(),
             Table::SkyVisibility | Table::BentNormal | Table::ApertureCone => sky.encoding.into(),
+            Table::Hemisphere => hemisphere.encoding.into(),
+            Table::ConeMap | Table::RelaxedConeMap => cone_map.encoding.into(),
+            Table::MaximumMip => maximum_mip.encoding.into(),
             Table::Curvature => curvature.encoding.into(),
         }
     }
@@ -136,7 +179,7 @@ fn missing_input(table: Table) -> &'static str {
 }
 
 fn decide(table: Table, recipe: &Recipe) -> Reasoned {
-    let Recipe { scene, horizon, mesh, .. } = recipe;
+    let Recipe { scene, horizon, hemisphere, mesh, .. } = recipe;
     match table {
         Table::Height => (Decision::Bake, "the surface itself"),
         Table::Horizon => (Decision::Bake, "shadows"),
@@ -146,6 +189,11 @@ fn decide(table: Table, recipe: &Recipe) -> Reasoned {
         Table::SkyVisibility | Table::BentNormal | Table::ApertureCone => match scene {
             Some(scene) => decide_sky(table, *scene),
             None => decide_sky_of_a_bare_map(table, horizon),
+        },
+        Table::Hemisphere | Table::ConeMap | Table::RelaxedConeMap | Table::MaximumMip => match scene {
+            None => (Decision::LeaveOut, "no recipe says that rays are followed to the relief"),
+            Some(Scene { relief_mapping: None, .. }) => (Decision::LeaveOut, "the scene has no relief mapping"),
+            Some(Scene { relief_mapping: Some(mapping), .. }) => decide_relief_search(table, *mapping, hemisphere.mode),
         },
         Table::Curvature => (Decision::Bake, "what the mesh is there for"),
     }
@@ -193,5 +241,22 @@ fn decide_sky_of_a_bare_map(table: Table, horizon: &HorizonRecipe) -> Reasoned {
             (LeaveOut, "fewer than 3 azimuths do not see all of the sky")
         }
         _ => (Bake, "no recipe says that the scene does without it"),
+    }
+}
+
+/// Every search may start where the hemisphere table says; each has one table of its own, or none.
+fn decide_relief_search(table: Table, mapping: ReliefMapping, mode: HemisphereMode) -> Reasoned {
+    use Decision::{Bake, LeaveOut};
+    let (own, reason) = match mapping.search {
+        ReliefSearch::ConeSteps => (Some(Table::ConeMap), "the search is by cone steps"),
+        ReliefSearch::RelaxedConeSteps => (Some(Table::RelaxedConeMap), "the search is by relaxed cone steps"),
+        ReliefSearch::MaximumMip => (Some(Table::MaximumMip), "the search is by maximum mips"),
+        ReliefSearch::Linear => (None, "the search is by steps of one length"),
+    };
+    match (table, mode) {
+        (Table::Hemisphere, HemisphereMode::Conservative) => (Bake, "starts rays where none has hit before"),
+        (Table::Hemisphere, HemisphereMode::Nearest) => (Bake, "starts rays near their hits, some beyond"),
+        _ if own == Some(table) => (Bake, reason),
+        _ => (LeaveOut, reason),
     }
 }

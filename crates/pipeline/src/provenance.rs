@@ -9,10 +9,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::accuracy::HorizonAccuracy;
 use crate::mesh_provenance::{CurvatureProvenance, MeshProvenance};
+use crate::search_provenance::ReliefSearchProvenance;
 use crate::sink::WrittenTable;
 use crate::{
-    CurvatureRecipe, CurvedRecipe, HorizonMethod, HorizonRecipe, MeshRange, Recipe, Scene, ShapeSource, Table,
-    TableEncoding,
+    CurvatureRecipe, CurvedRecipe, HemisphereRecipe, HorizonMethod, HorizonRecipe, MeshRange, Recipe, Scene,
+    ShapeSource, Table, TableEncoding,
 };
 
 /// Names the layout of [`Provenance`] as JSON.
@@ -40,6 +41,9 @@ pub struct Provenance {
     /// The baker of the sky, if it ran.
     #[serde(default)]
     pub sky: Option<SkyProvenance>,
+    /// The bakers of tables for relief search, if any ran.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub relief_search: Option<ReliefSearchProvenance>,
     /// The baker of curvature, if it ran.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curvature: Option<CurvatureProvenance>,
@@ -56,10 +60,11 @@ impl Provenance {
             generator: concat!("barchan ", env!("CARGO_PKG_VERSION")).to_owned(),
             input: None,
             mesh: None,
-            recipe: CanonicalRecipe::new(recipe, tables.iter().map(|table| table.name().to_owned()).collect()),
+            recipe: CanonicalRecipe::new(recipe, tables),
             horizon: None,
             swept: None,
             sky: None,
+            relief_search: None,
             curvature: None,
             encodings: Vec::new(),
         }
@@ -122,24 +127,37 @@ pub struct CanonicalRecipe {
     /// How sky visibility, bent normal and aperture cone are stored.
     #[serde(default)]
     pub sky_encoding: Option<TableEncoding>,
+    /// The hemisphere table, where it was baked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hemisphere: Option<HemisphereRecipe>,
+    /// How cone maps are stored, where one was baked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cone_map_encoding: Option<TableEncoding>,
+    /// How the maximum mip is stored, where it was baked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub maximum_mip_encoding: Option<TableEncoding>,
     /// How curvature was found and is stored, where there is a mesh.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curvature: Option<CurvatureRecipe>,
 }
 
 impl CanonicalRecipe {
-    pub(crate) fn new(recipe: &Recipe, tables: Vec<String>) -> Self {
+    pub(crate) fn new(recipe: &Recipe, tables: &[Table]) -> Self {
+        let has_cones = tables.contains(&Table::ConeMap) || tables.contains(&Table::RelaxedConeMap);
         Self {
             spacing: (recipe.spacing.u(), recipe.spacing.v()),
             unit: recipe.height_unit(),
             edge: recipe.edge,
             scene: recipe.scene,
-            tables,
+            tables: tables.iter().map(|table| table.name().to_owned()).collect(),
             height_encoding: recipe.height.encoding,
             horizon_encoding: recipe.horizon.encoding,
             distance_encoding: recipe.distance.encoding,
             curved: Some(recipe.curved),
             sky_encoding: Some(recipe.sky.encoding),
+            hemisphere: tables.contains(&Table::Hemisphere).then_some(recipe.hemisphere),
+            cone_map_encoding: has_cones.then_some(recipe.cone_map.encoding),
+            maximum_mip_encoding: tables.contains(&Table::MaximumMip).then_some(recipe.maximum_mip.encoding),
             curvature: recipe.mesh.is_some().then_some(recipe.curvature),
         }
     }

@@ -10,8 +10,9 @@ use crate::bake::Inputs;
 use crate::curvature::WrittenCurvature;
 use crate::curvature_part::column_unit;
 use crate::provenance::{HorizonProvenance, Provenance, SweptProvenance};
+use crate::search_provenance::ReliefSearchProvenance;
 use crate::sink::WrittenTable;
-use crate::{CurvaturePart, CurvatureProvenance, Decision, Plan, PlannedTable, Recipe, Table};
+use crate::{CurvaturePart, CurvatureProvenance, Decision, Plan, PlannedTable, Table};
 
 /// Names the layout of [`BakeReport`] as JSON.
 pub const BAKE_SCHEMA: &str = "barchan.bake/2";
@@ -37,12 +38,17 @@ pub struct BakeReport {
     pub horizon: Option<HorizonProvenance>,
     /// How many points were kept for curved surfaces; `null` where none were looked for.
     pub swept: Option<SweptProvenance>,
+    /// What the bakers of tables for relief search did and how near they let rays start; `null` where none ran.
+    pub relief_search: Option<ReliefSearchProvenance>,
     /// What the baker of curvature did and found; `null` where it did not run.
     pub curvature: Option<CurvatureProvenance>,
     /// Wall-clock time of each stage, in the order they ran.
     pub stages: Vec<StageTime>,
     /// Texels times directions baked per second of the horizon stage, in millions.
     pub mtexel_directions_per_second: Option<f64>,
+    /// Rays per second of the hemisphere stage, in millions: one from every texel of the heights in every direction of the table,
+    /// however many of them are followed together.
+    pub mrays_per_second: Option<f64>,
     /// Vertices baked per second of the curvature stage, in millions.
     pub mvertices_per_second: Option<f64>,
     /// Worker threads.
@@ -106,10 +112,14 @@ pub struct TableReport {
     pub table: &'static str,
     /// How a texel is stored.
     pub format: &'static str,
-    /// Directions times candidates, or 1.
+    /// Directions times candidates, rings times azimuths, or 1.
     pub layers: u32,
+    /// Rings around the normal, in a hemisphere table; else 0.
+    pub rings: u32,
     /// Points per direction besides the horizon's, in a swept table; else 0.
     pub candidates: u32,
+    /// Levels of a mip chain; else 1.
+    pub mips: u32,
     /// Bytes in the file.
     pub stored_bytes: u64,
     /// Bytes after unpacking.
@@ -162,8 +172,8 @@ pub struct LeftOut {
 /// How long a stage took.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StageTime {
-    /// `source`, `mesh`, `curvature`, `forms`, `points`, `bounds`, `horizon`, `encode`, `write`, `sky`, `measure` or `checksum`,
-    /// if there was anything to do; the CLI adds `save`.
+    /// `source`, `mesh`, `curvature`, `forms`, `points`, `bounds`, `horizon`, `encode`, `write`, `sky`, `measure`, `hemisphere`,
+    /// `starts`, `cone_map`, `relaxed_cone_map`, `maximum_mip` or `checksum`, if there was anything to do; the CLI adds `save`.
     pub stage: &'static str,
     /// Wall-clock seconds.
     pub seconds: f64,
@@ -191,6 +201,7 @@ impl Facts<'_> {
             .as_ref()
             .zip(relief.as_ref())
             .map(|(horizon, loaded)| loaded.field.grid().texels() as f64 * f64::from(horizon.directions));
+        let rays = self.hemisphere_rays();
         let vertices = mesh.as_ref().map(|mesh| mesh.report.vertices as f64);
         BakeReport {
             schema: BAKE_SCHEMA,
@@ -201,15 +212,23 @@ impl Facts<'_> {
             tables: self.tables(&finished.stored_lengths),
             left_out: self.left_out(),
             mtexel_directions_per_second: per_second(swept, "horizon"),
+            mrays_per_second: per_second(rays, "hemisphere"),
             mvertices_per_second: per_second(vertices, "curvature"),
             horizon: self.provenance.horizon,
             swept: self.provenance.swept,
+            relief_search: self.provenance.relief_search,
             curvature: self.provenance.curvature,
             stages,
             threads: self.threads,
             file_bytes: finished.bytes,
             identity: finished.identity.iter().map(|byte| format!("{byte:02x}")).collect(),
         }
+    }
+
+    fn hemisphere_rays(&self) -> Option<f64> {
+        let hemisphere = self.provenance.relief_search.as_ref()?.hemisphere.as_ref()?;
+        let texels = self.inputs.relief.as_ref()?.field.grid().texels() as f64;
+        Some(texels * f64::from(hemisphere.rings) * f64::from(hemisphere.azimuths))
     }
 
     fn tables(&self, stored_lengths: &[(SectionKind, u64)]) -> Vec<TableReport> {
@@ -257,16 +276,9 @@ impl Facts<'_> {
             Decision::LeaveOut | Decision::NoInput => reason,
             Decision::Bake => "the flat horizon alone keeps the error asked for",
         };
-        let Recipe { horizon, curved, .. } = &self.plan.recipe;
-        let directions = u64::from(horizon.directions);
-        let layers = match table {
-            Table::Horizon | Table::Distance => directions,
-            table if table.is_swept() => directions * u64::from(curved.points.unwrap_or(2).saturating_sub(1)),
-            _ => 1,
-        };
-        let semantic = Semantic::of_kind(table.kind())?;
-        let texel_bytes = self.plan.encoding(table).format(semantic).texel_bytes();
-        let bytes_saved = field.grid().texels() as u64 * layers * u64::from(texel_bytes);
+        let texels = self.plan.texels(table, field.grid());
+        let texel_bytes = self.plan.encoding(table).format(Semantic::of_kind(table.kind())?).texel_bytes();
+        let bytes_saved = texels.saturating_mul(u64::from(texel_bytes));
         Some(LeftOut { table: table.name(), reason, bytes_saved })
     }
 }
@@ -277,7 +289,9 @@ fn table_report(written: &WrittenTable, stored_bytes: u64, reason: &'static str)
         table: table.name(),
         format: descriptor.format.name(),
         layers: descriptor.layers,
+        rings: descriptor.rings,
         candidates: descriptor.candidates,
+        mips: descriptor.mips,
         stored_bytes,
         raw_bytes: descriptor.payload_length(),
         worst_case_error: descriptor.worst_case_error,
@@ -309,7 +323,9 @@ fn curvature_report(curvature: &WrittenCurvature, stored_bytes: u64, reason: &'s
         table: Table::Curvature.name(),
         format,
         layers: 1,
+        rings: 0,
         candidates: 0,
+        mips: 1,
         stored_bytes,
         raw_bytes: curvature.encoded.descriptor().payload_length(),
         worst_case_error,

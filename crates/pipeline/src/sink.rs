@@ -45,14 +45,28 @@ impl<'a, W: Read + Write + Seek> Sink<'a, W> {
         Self { stream: AssetStream::new(out), clock, written: Vec::new(), codec }
     }
 
-    /// Writes a table that is there as a whole: `encode` gives its stored form.
+    /// Encodes and writes a table that is there as a whole: `encode` gives its stored form.
     pub(crate) fn whole(
         &mut self,
         table: Table,
         encode: impl FnOnce() -> Result<TextureTable, EncodeError>,
     ) -> Result<(), PipelineError> {
-        let encoded = self.clock.time("encode", encode).map_err(refused(table))?;
-        self.clock.time("write", || self.stream.add_table(&encoded, self.codec).map(|_| ()))?;
+        let encoded = self.encode(table, encode)?;
+        self.encoded(table, &encoded)
+    }
+
+    /// Encodes a table.
+    pub(crate) fn encode(
+        &mut self,
+        table: Table,
+        encode: impl FnOnce() -> Result<TextureTable, EncodeError>,
+    ) -> Result<TextureTable, PipelineError> {
+        self.clock.time("encode", encode).map_err(refused(table))
+    }
+
+    /// Writes a table in its stored form.
+    pub(crate) fn encoded(&mut self, table: Table, encoded: &TextureTable) -> Result<(), PipelineError> {
+        self.clock.time("write", || self.stream.add_table(encoded, self.codec).map(|_| ()))?;
         let loss = encoded.loss().unwrap_or_default();
         self.written.push(WrittenTable { table, descriptor: *encoded.descriptor(), loss });
         Ok(())

@@ -21,13 +21,21 @@ pub enum Table {
     BentNormal,
     /// The cone of directions towards the visible sky.
     ApertureCone,
+    /// Depths at which rays from a grid of directions first hit.
+    Hemisphere,
+    /// Cones above the surface that hold none of it.
+    ConeMap,
+    /// Cones in which a ray passes the surface at most once.
+    RelaxedConeMap,
+    /// The greatest heights of ever larger squares.
+    MaximumMip,
     /// The curvature of a mesh, per vertex.
     Curvature,
 }
 
 impl Table {
     /// Every table, in the order of the file.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 13] = [
         Self::Height,
         Self::Horizon,
         Self::Distance,
@@ -36,6 +44,10 @@ impl Table {
         Self::SkyVisibility,
         Self::BentNormal,
         Self::ApertureCone,
+        Self::Hemisphere,
+        Self::ConeMap,
+        Self::RelaxedConeMap,
+        Self::MaximumMip,
         Self::Curvature,
     ];
 
@@ -51,6 +63,10 @@ impl Table {
             Self::SkyVisibility => SectionKind::SKY_VISIBILITY,
             Self::BentNormal => SectionKind::BENT_NORMAL,
             Self::ApertureCone => SectionKind::APERTURE_CONE,
+            Self::Hemisphere => SectionKind::HEMISPHERE,
+            Self::ConeMap => SectionKind::CONE_MAP,
+            Self::RelaxedConeMap => SectionKind::RELAXED_CONE_MAP,
+            Self::MaximumMip => SectionKind::MAXIMUM_MIP,
             Self::Curvature => SectionKind::CURVATURE,
         }
     }
@@ -65,6 +81,18 @@ impl Table {
     #[must_use]
     pub fn is_of_the_sky(self) -> bool {
         matches!(self, Self::SkyVisibility | Self::BentNormal | Self::ApertureCone)
+    }
+
+    /// Whether rays find their hit on the relief with it. It is baked from the heights as they are stored.
+    #[must_use]
+    pub fn is_for_relief_search(self) -> bool {
+        matches!(self, Self::Hemisphere | Self::ConeMap | Self::RelaxedConeMap | Self::MaximumMip)
+    }
+
+    /// Whether it comes from horizons: every table of relief but the heights and those of relief search.
+    #[must_use]
+    pub fn is_of_horizons(self) -> bool {
+        self != Self::Height && !self.is_for_relief_search() && !self.is_of_a_mesh()
     }
 
     /// Whether it is baked from a mesh; all others are textures, baked from heights.

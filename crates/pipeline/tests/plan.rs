@@ -3,7 +3,8 @@
 use barchan_field::Shape;
 use barchan_field::shapes::Plane;
 use barchan_pipeline::{
-    Decision, HorizonRecipe, MeshFile, MeshSource, Plan, Recipe, Scene, ShapeSource, Source, Table,
+    Decision, HemisphereMode, HorizonRecipe, MeshFile, MeshSource, Plan, Recipe, ReliefMapping, ReliefSearch, Scene,
+    ShapeSource, Source, Table,
 };
 
 const NO_MESH: &str = "there is no mesh";
@@ -16,7 +17,7 @@ fn plan(scene: Option<Scene>, only: Option<&[Table]>) -> Plan {
 }
 
 /// Baked or not, and why, for each table.
-fn decisions(plan: &Plan) -> [(bool, &'static str); 9] {
+fn decisions(plan: &Plan) -> [(bool, &'static str); 13] {
     Table::ALL.map(|table| {
         let planned = plan.tables.iter().find(|planned| planned.table == table).unwrap();
         assert_eq!(plan.bakes(table), planned.decision == Decision::Bake);
@@ -30,7 +31,9 @@ fn without_a_scene_everything_is_baked_that_is_small_or_can_be() {
     let range = (false, "no recipe says between which curvatures");
     let cone = (false, "no recipe says that the scene has area lights");
     let (height, horizon) = ((true, "the surface itself"), (true, "shadows"));
-    let expected = [height, horizon, unsaid, range, range, unsaid, unsaid, cone, (false, NO_MESH)];
+    let rays = (false, "no recipe says that rays are followed to the relief");
+    let expected =
+        [height, horizon, unsaid, range, range, unsaid, unsaid, cone, rays, rays, rays, rays, (false, NO_MESH)];
     assert_eq!(decisions(&plan(None, None)), expected);
 }
 
@@ -92,6 +95,53 @@ fn a_scene_decides_on_the_sky() {
     assert_eq!(scene(true, true), [dims, turns, cuts]);
 }
 
+/// What becomes of hemisphere, cone map, relaxed cone map and maximum mip.
+fn search_tables(scene: Scene, mode: HemisphereMode) -> Vec<(bool, &'static str)> {
+    let mut recipe = plan(Some(scene), None).recipe;
+    recipe.hemisphere.mode = mode;
+    decisions(&Plan::new(recipe, None))[8..12].to_vec()
+}
+
+#[test]
+fn without_relief_mapping_no_table_is_baked_for_it() {
+    let all = Scene { curved_surfaces: true, ambient_light: true, ..Scene::default() };
+    let none = (false, "the scene has no relief mapping");
+    assert_eq!(search_tables(all, HemisphereMode::Conservative), [none; 4]);
+}
+
+#[test]
+fn a_search_has_its_own_table_and_a_start() {
+    let searched = |search| {
+        let mapping = ReliefMapping { search, ..ReliefMapping::default() };
+        let scene = Scene { relief_mapping: Some(mapping), ..Scene::default() };
+        search_tables(scene, HemisphereMode::Conservative)
+    };
+    let start = (true, "starts rays where none has hit before");
+    let expected = |own: [bool; 3], reason| [vec![start], own.map(|own| (own, reason)).to_vec()].concat();
+    for (search, own, reason) in [
+        (ReliefSearch::ConeSteps, [true, false, false], "the search is by cone steps"),
+        (ReliefSearch::RelaxedConeSteps, [false, true, false], "the search is by relaxed cone steps"),
+        (ReliefSearch::MaximumMip, [false, false, true], "the search is by maximum mips"),
+        (ReliefSearch::Linear, [false, false, false], "the search is by steps of one length"),
+    ] {
+        assert_eq!(searched(search), expected(own, reason), "{search:?}");
+    }
+}
+
+#[test]
+fn a_start_by_the_nearest_ray_says_that_it_may_be_beyond() {
+    let scene = Scene { relief_mapping: Some(ReliefMapping::default()), ..Scene::default() };
+    let start = search_tables(scene, HemisphereMode::Nearest)[0];
+    assert_eq!(start, (true, "starts rays near their hits, some beyond"));
+}
+
+#[test]
+fn tables_of_relief_search_need_no_horizon() {
+    let plan = plan(None, Some(&[Table::Hemisphere, Table::ConeMap]));
+    assert!(plan.serves_relief_search() && !plan.needs_horizon());
+    assert!(!self::plan(None, Some(&[Table::Horizon])).serves_relief_search());
+}
+
 #[test]
 fn only_has_the_last_word() {
     let all = Scene { curved_surfaces: true, soft_shadows: true, ambient_light: true, ..Scene::default() };
@@ -113,10 +163,10 @@ fn only_has_the_last_word() {
 fn of_a_mesh_alone_there_is_curvature() {
     let mesh = MeshSource::File(MeshFile { path: "a.obj".into(), mesh: None });
     let plan = Plan::new(Recipe::bare_mesh(mesh), None);
-    let mut expected = [(false, "there is no height map"); 9];
-    expected[8] = (true, "what the mesh is there for");
+    let mut expected = [(false, "there is no height map"); 13];
+    expected[12] = (true, "what the mesh is there for");
     assert_eq!(decisions(&plan), expected);
-    assert!(plan.tables[..8].iter().all(|planned| planned.decision == Decision::NoInput));
+    assert!(plan.tables[..12].iter().all(|planned| planned.decision == Decision::NoInput));
     assert!(!plan.needs_horizon());
 }
 
@@ -133,6 +183,10 @@ fn tables_are_planned_in_the_order_of_the_file() {
         "sky_visibility",
         "bent_normal",
         "aperture_cone",
+        "hemisphere",
+        "cone_map",
+        "relaxed_cone_map",
+        "maximum_mip",
         "curvature",
     ];
     assert_eq!(Table::ALL.map(Table::name), names);

@@ -5,8 +5,9 @@ use barchan_field::surfaces::{Pattern, Tessellation};
 use barchan_field::{Edge, LengthUnit, ParametricSurface, Shape, Spacing};
 use barchan_import::Fill;
 use barchan_pipeline::{
-    Compression, CurvatureEncoding, CurvatureMethod, CurvatureRecipe, CurvedRecipe, DistanceRecipe, HeightMapSource,
-    HeightRecipe, HorizonMethod, HorizonRecipe, MeshFile, MeshSource, Recipe, RecipeError, Scene, ShapeSource,
+    Compression, ConeMapRecipe, CurvatureEncoding, CurvatureMethod, CurvatureRecipe, CurvedRecipe, DistanceRecipe,
+    HeightMapSource, HeightRecipe, HemisphereMode, HemisphereRecipe, HemisphereSpacing, HorizonMethod, HorizonRecipe,
+    MaximumMipRecipe, MeshFile, MeshSource, Recipe, RecipeError, ReliefMapping, ReliefSearch, Scene, ShapeSource,
     SkyRecipe, Source, SurfaceSource, TableEncoding,
 };
 
@@ -42,10 +43,47 @@ fn a_bare_recipe_is_clamped_square_and_leaves_nothing_out() {
     assert_eq!((recipe.horizon.directions, recipe.horizon.radius), (32, None));
     assert_eq!((recipe.horizon.arc, recipe.horizon.method), (None, HorizonMethod::Accurate));
     assert_eq!((recipe.curved.points, recipe.curved.max_error_degrees), (None, None));
-    let Recipe { horizon, distance, curved, sky, .. } = &recipe;
+    let Recipe { horizon, distance, curved, sky, hemisphere, cone_map, maximum_mip, .. } = &recipe;
     assert_eq!(recipe.height.encoding, TableEncoding::F16);
     let encodings = [horizon.encoding, distance.encoding, curved.encoding, sky.encoding];
     assert_eq!(encodings, [TableEncoding::Compact; 4]);
+    assert_eq!([hemisphere.encoding, cone_map.encoding, maximum_mip.encoding], [TableEncoding::Compact; 3]);
+}
+
+#[test]
+fn hemisphere_tables_are_the_papers_where_nothing_else_is_said() {
+    let hemisphere = Recipe::bare(plane()).hemisphere;
+    assert_eq!((hemisphere.rings, hemisphere.azimuths), (32, 16));
+    assert_eq!(
+        (hemisphere.spacing, hemisphere.mode),
+        (HemisphereSpacing::SquaredTangents, HemisphereMode::Conservative)
+    );
+    // No larger than the heights.
+    assert_eq!([hemisphere.size_for(512, 64), hemisphere.size_for(40, 700)], [(64, 64), (40, 64)]);
+    let scene = parse("scene: (relief_mapping: ())").unwrap().scene.unwrap();
+    let expected = ReliefMapping { least_elevation_degrees: 10.0, arc: None, search: ReliefSearch::ConeSteps };
+    assert_eq!(scene.relief_mapping, Some(expected));
+}
+
+#[test]
+fn what_relief_mapping_cannot_be_is_said_with_what_it_can() {
+    let words = |fields: &str| complaint(fields).split_once(": ").unwrap().1.to_owned();
+    for (fields, expected) in [
+        (
+            "scene: (relief_mapping: (search: binary))",
+            "unknown value `binary` (accepted: `cone_steps`, `relaxed_cone_steps`, `maximum_mip`, `linear`)",
+        ),
+        ("hemisphere: (mode: bold)", "unknown value `bold` (accepted: `conservative`, `nearest`)"),
+        ("hemisphere: (size: 64)", "`hemisphere.size` is `64`; a pair of numbers in parentheses is needed"),
+        ("hemisphere: (rings: -1)", "`hemisphere.rings` is `-1`; a whole number within the field's range is needed"),
+        (
+            "hemisphere: (ring: 8)",
+            "unknown field `ring`; did you mean `rings`? (accepted: `rings`, `azimuths`, `spacing`, `size`, `mode`, \
+             `encoding`)",
+        ),
+    ] {
+        assert_eq!(words(fields), expected);
+    }
 }
 
 #[test]
@@ -64,12 +102,16 @@ fn every_field_is_read() {
         edge: wrap,
         scene: (
             curved_surfaces: true, curvature: (-0.01, 0.02), soft_shadows: false, ambient_light: true, area_lights: true,
+            relief_mapping: (least_elevation_degrees: 20.5, arc: (10, 170), search: maximum_mip),
         ),
         height: (encoding: f32),
         horizon: (directions: 48, arc: (-90, 90.5), radius: 128.5, method: exact, encoding: u8),
         distance: (encoding: u8),
         curved: (points: 3, encoding: f16),
         sky: (encoding: f32),
+        hemisphere: (rings: 8, azimuths: 9, spacing: equal_angles, size: (32, 16), mode: nearest, encoding: f16),
+        cone_map: (encoding: f16),
+        maximum_mip: (encoding: f32),
         curvature: (method: fast, hard_edge_degrees: 12.5, encoding: f32, directions: true, uv_directions: true),
         compression: zstd,
     )";
@@ -94,6 +136,11 @@ fn every_field_is_read() {
             soft_shadows: false,
             ambient_light: true,
             area_lights: true,
+            relief_mapping: Some(ReliefMapping {
+                least_elevation_degrees: 20.5,
+                arc: Some((10.0, 170.0)),
+                search: ReliefSearch::MaximumMip,
+            }),
         }),
         height: HeightRecipe { encoding: TableEncoding::F32 },
         horizon: HorizonRecipe {
@@ -106,6 +153,16 @@ fn every_field_is_read() {
         distance: DistanceRecipe { encoding: TableEncoding::U8 },
         curved: CurvedRecipe { points: Some(3), max_error_degrees: None, encoding: TableEncoding::F16 },
         sky: SkyRecipe { encoding: TableEncoding::F32 },
+        hemisphere: HemisphereRecipe {
+            rings: 8,
+            azimuths: 9,
+            spacing: HemisphereSpacing::EqualAngles,
+            size: Some((32, 16)),
+            mode: HemisphereMode::Nearest,
+            encoding: TableEncoding::F16,
+        },
+        cone_map: ConeMapRecipe { encoding: TableEncoding::F16 },
+        maximum_mip: MaximumMipRecipe { encoding: TableEncoding::F32 },
         curvature: CurvatureRecipe {
             method: CurvatureMethod::Fast,
             hard_edge_degrees: 12.5,
@@ -194,7 +251,8 @@ fn a_complaint_tells_line_and_column_and_the_nearest_field() {
     assert_eq!(
         complaint("colour: 3"),
         "line 1, column 82: unknown field `colour` (accepted: `source`, `mesh`, `spacing`, `unit`, `edge`, `scene`, \
-         `height`, `horizon`, `distance`, `curved`, `sky`, `curvature`, `compression`)"
+         `height`, `horizon`, `distance`, `curved`, `sky`, `hemisphere`, `cone_map`, `maximum_mip`, `curvature`, \
+         `compression`)"
     );
     assert_eq!(
         complaint("unit: kilometer"),

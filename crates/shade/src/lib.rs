@@ -49,8 +49,10 @@ pub use picture::{Palette, Picture, Pixels};
 pub use place::Place;
 pub use principal::PrincipalUv;
 pub use relief::{
-    ConeSteps, DepthMapStart, Fetches, Found, LinearSearch, MaximumMipTraversal, MismatchedRelief, ParallaxOcclusion,
-    RelaxedConeSteps, Relief, ReliefRay, ReliefSearch, Start, TracedRelief,
+    ConeSteps, DepthMapStart, Fetches, Found, HemisphereCell, HemisphereOcclusion, HemisphereQuadrature, LinearSearch,
+    MAP_TOLERANCE, MaximumMipTraversal, MismatchedRelief, Occlusion, ParallaxOcclusion, RelaxedConeSteps, Relief,
+    ReliefLight, ReliefPixel, ReliefPixels, ReliefRay, ReliefRoad, ReliefSearch, ReliefShadow, SHADOW_TOLERANCE,
+    ShadowAnswer, Start, TracedRelief, heat_map, relief_direction,
 };
 pub use sky::SkyLight;
 pub use surface::Surface;

@@ -13,6 +13,17 @@ pub enum ConeKind {
     Relaxed,
 }
 
+impl ConeKind {
+    /// Names the algorithm in provenance. It changes when a bake's bytes do.
+    #[must_use]
+    pub fn algorithm(self) -> &'static str {
+        match self {
+            Self::Strict => "cone-map-1",
+            Self::Relaxed => "relaxed-cone-map-1",
+        }
+    }
+}
+
 /// The depth of every texel and the cone above it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConeMap {

@@ -27,6 +27,15 @@ impl HemisphereParams {
         self.check_size(field.grid())
     }
 
+    /// Names the algorithm in provenance. It changes when a bake's bytes do.
+    #[must_use]
+    pub fn algorithm(&self) -> &'static str {
+        match self.mode {
+            DepthMode::Nearest => "hemisphere-nearest-1",
+            _ => "hemisphere-conservative-1",
+        }
+    }
+
     /// Values of one layer.
     pub(crate) fn texels(&self) -> usize {
         self.width as usize * self.height as usize

@@ -4,11 +4,12 @@ use std::path::PathBuf;
 
 use barchan_field::{Edge, LengthUnit, Spacing};
 use barchan_import::{Fill, Integers};
-use barchan_pipeline::{Compression, CurvatureMethod, HorizonMethod, Table, TableEncoding};
+use barchan_pipeline::{Compression, CurvatureMethod, HemisphereMode, HorizonMethod, Table, TableEncoding};
 use clap::Args;
 
 use super::words::{
-    arc, compression, edge, encoding, fill, finite, hard_edge, integers, jobs, method, positive, spacing, table, unit,
+    arc, compression, depth_mode, edge, encoding, fill, finite, hard_edge, integers, jobs, method, positive, size,
+    spacing, table, unit,
 };
 
 #[derive(Debug, Args)]
@@ -18,6 +19,7 @@ use super::words::{
   barchan bake statue.ply --method fast --encoding f32 -o statue.barchan
   barchan bake rock.png --height-scale 12 --edge wrap --method exact --encoding f16 -o rock.barchan
   barchan bake rock.png --height-scale 12 --arc 180,360 --directions 17
+  barchan bake rock.png --height-scale 12 --only height,hemisphere,cone_map --rings 16 --size 32
   barchan bake elevation.tif --integers raw --spacing 74,93 --unit metre --radius 20000 --json")]
 pub(crate) struct BakeArguments {
     /// A recipe (.ron), a height map (PNG, EXR, TIFF, NPY) or a mesh (OBJ, PLY, glTF)
@@ -26,7 +28,7 @@ pub(crate) struct BakeArguments {
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// Bake these tables and no others: height, horizon, distance, swept_horizon, swept_distance, sky_visibility,
-    /// bent_normal, aperture_cone; of a mesh: curvature
+    /// bent_normal, aperture_cone, hemisphere, cone_map, relaxed_cone_map, maximum_mip; of a mesh: curvature
     #[arg(long, value_name = "TABLE,..", value_delimiter = ',', value_parser = table)]
     pub(crate) only: Option<Vec<Table>>,
     /// Worker threads, at most 1024; 0 is one per core
@@ -88,6 +90,19 @@ pub(crate) struct HeightMapArguments {
     /// How far the horizon is searched [default: the diagonal; the longer side if the map wraps]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = positive)]
     pub(crate) radius: Option<f64>,
+    /// Rings of directions around the normal in the hemisphere table; the last ends at 80° [default: 32]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(barchan_asset::MAX_LAYERS)))]
+    pub(crate) rings: Option<u32>,
+    /// Azimuths of each ring in the hemisphere table [default: 16]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(barchan_asset::MAX_LAYERS)))]
+    pub(crate) azimuths: Option<u32>,
+    /// Texels of the hemisphere table, along u and along v [default: 64, or as many as the map has]
+    #[arg(long, value_name = "N[,N]", value_parser = size)]
+    pub(crate) size: Option<(u32, u32)>,
+    /// What the hemisphere table holds: conservative, depths before which no ray hits, or nearest, the depth that one ray hits at
+    /// [default: conservative]
+    #[arg(long, value_name = "MODE", value_parser = depth_mode)]
+    pub(crate) depth_mode: Option<HemisphereMode>,
     /// The channel that holds the height
     #[arg(long, value_name = "NAME")]
     pub(crate) channel: Option<String>,

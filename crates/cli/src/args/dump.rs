@@ -11,14 +11,17 @@ use super::words::{part, table, view};
 #[command(
     after_help = "Values: heights and distances in the length unit, horizons as the slope (tangent of the elevation) \
 in npy, as degrees in text, as both in csv, as radians in exr, over the table's range in png; sky visibility from 0 to 1; bent \
-normal and aperture cone as u, v, height and cosine of the half-angle, in png as red, green, blue and alpha; curvatures in 1 / \
-length unit, positive where convex, in ply and png as a colour from blue (concave) over white to red (convex).
+normal and aperture cone as u, v, height and cosine of the half-angle, in png as red, green, blue and alpha; depths from 0 at the \
+top of the relief to 1 at its bottom, with ratios of cones in png as red and green; curvatures in 1 / length unit, positive \
+where convex, in ply and png as a colour from blue (concave) over white to red (convex).
 
 Examples:
   barchan dump dunes.barchan horizon --format npy -o horizon.npy     float32 [directions, height, width]
   barchan dump dunes.barchan height --format exr -o height.exr
   barchan dump dunes.barchan horizon --layer 4 --format png -o east.png
   barchan dump dunes.barchan height --format csv | head
+  barchan dump rock.barchan hemisphere --format npy -o depths.npy    float32 [rings, azimuths, height, width]
+  barchan dump rock.barchan maximum_mip --mip 3 --format text
   barchan dump rock.barchan curvature --format npy -o rock.npy       float32 [vertices, 2]
   barchan dump rock.barchan curvature --format ply --mesh rock.obj -o coloured.ply
   barchan dump rock.barchan curvature --format png --mesh rock.obj --view -30,15 -o rock.png"
@@ -26,8 +29,8 @@ Examples:
 pub(crate) struct DumpArguments {
     /// The .barchan file
     pub(crate) file: PathBuf,
-    /// height, horizon, distance, swept_horizon, swept_distance, sky_visibility, bent_normal, aperture_cone or curvature; may
-    /// be left out if the file has one table
+    /// height, horizon, distance, swept_horizon, swept_distance, sky_visibility, bent_normal, aperture_cone, hemisphere, cone_map,
+    /// relaxed_cone_map, maximum_mip or curvature; may be left out if the file has one table
     #[arg(value_parser = table)]
     pub(crate) table: Option<Table>,
     #[arg(long, default_value = "text")]
@@ -45,10 +48,10 @@ pub(crate) struct DumpArguments {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "For textures")]
 pub(crate) struct TextureDumpArguments {
-    /// One layer (direction) only
+    /// One layer only: a direction, or of a hemisphere table ring × azimuths + azimuth
     #[arg(long, value_name = "N")]
     pub(crate) layer: Option<u32>,
-    /// Mip level [default: 0]
+    /// Level of a maximum mip [default: 0]
     #[arg(long, value_name = "N")]
     pub(crate) mip: Option<u32>,
 }

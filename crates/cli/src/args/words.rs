@@ -2,7 +2,7 @@
 
 use barchan_field::{Edge, LengthUnit, Spacing};
 use barchan_import::{Fill, Integers};
-use barchan_pipeline::{Compression, CurvaturePart, Table, TableEncoding};
+use barchan_pipeline::{Compression, CurvaturePart, HemisphereMode, Table, TableEncoding};
 
 use super::MethodName;
 
@@ -54,6 +54,19 @@ pub(super) fn encoding(text: &str) -> Result<TableEncoding, String> {
 
 pub(super) fn method(text: &str) -> Result<MethodName, String> {
     word(text, &MethodName::ALL.map(|method| (method.name(), method)))
+}
+
+pub(super) fn depth_mode(text: &str) -> Result<HemisphereMode, String> {
+    word(text, &[HemisphereMode::Conservative, HemisphereMode::Nearest].map(|mode| (mode.name(), mode)))
+}
+
+pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
+    let (width, height) = text.split_once(',').unwrap_or((text, text));
+    let texels = |text: &str| {
+        let texels = text.trim().parse().ok().filter(|&texels| texels > 0);
+        texels.ok_or_else(|| "accepted: a number of texels, or two with a comma".to_owned())
+    };
+    Ok((texels(width)?, texels(height)?))
 }
 
 pub(super) fn hard_edge(text: &str) -> Result<f64, String> {

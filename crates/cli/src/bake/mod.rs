@@ -10,7 +10,7 @@ use barchan_asset::WriteError;
 use barchan_pipeline::{BakeReport, PipelineError, Plan, Run, StageTime, bake};
 use serde::Serialize;
 
-pub(crate) use self::words::layer_words;
+pub(crate) use self::words::{LayerCounts, layer_words};
 use crate::args::{BakeArguments, ProgressStyleName};
 use crate::console;
 use crate::failure::{ExitStatus, Failure};

@@ -84,12 +84,19 @@ fn bare_height_map(path: PathBuf, bare: &BareArguments, flags: &HeightMapArgumen
     recipe.horizon.directions = flags.directions.unwrap_or(recipe.horizon.directions);
     recipe.horizon.arc = flags.arc;
     recipe.horizon.radius = flags.radius;
+    let hemisphere = &mut recipe.hemisphere;
+    hemisphere.rings = flags.rings.unwrap_or(hemisphere.rings);
+    hemisphere.azimuths = flags.azimuths.unwrap_or(hemisphere.azimuths);
+    hemisphere.size = flags.size;
+    hemisphere.mode = flags.depth_mode.unwrap_or(hemisphere.mode);
     if let Some(method) = bare.method {
         let accepted = "sweep, accurate and exact find the horizon of a height map";
         recipe.horizon.method = method.of_a_horizon().ok_or_else(|| wrong_method(method, accepted))?;
     }
     let encoding = bare.encoding.unwrap_or_default();
     (recipe.horizon.encoding, recipe.distance.encoding, recipe.sky.encoding) = (encoding, encoding, encoding);
+    (recipe.hemisphere.encoding, recipe.cone_map.encoding, recipe.maximum_mip.encoding) =
+        (encoding, encoding, encoding);
     if encoding == TableEncoding::F32 {
         recipe.height.encoding = encoding;
     }
@@ -160,6 +167,10 @@ fn first_height_map_flag(flags: &HeightMapArguments) -> Option<&'static str> {
         ("--height-offset", flags.height_offset.is_some()),
         ("--arc", flags.arc.is_some()),
         ("--radius", flags.radius.is_some()),
+        ("--rings", flags.rings.is_some()),
+        ("--azimuths", flags.azimuths.is_some()),
+        ("--size", flags.size.is_some()),
+        ("--depth-mode", flags.depth_mode.is_some()),
         ("--channel", flags.channel.is_some()),
         ("--no-data", flags.no_data.is_some()),
         ("--fill", flags.fill.is_some()),

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
-use barchan_pipeline::{BakeReport, ColumnReport, GridReport, Table, TableReport};
+use barchan_pipeline::{BakeReport, ColumnReport, GridReport, LeftOut, Table, TableReport};
 
 use super::Report;
+use crate::asset_file::list;
 use crate::console::{self, bytes, error_in, number, shell_word};
 use crate::mesh_words;
 
@@ -25,11 +26,14 @@ pub(super) fn describe(report: &Report<'_>) -> String {
             line("", column_words(column));
         }
     }
-    for table in &bake.left_out {
-        line("left out", format!("{}, saving {}: {}", table.table, bytes(table.bytes_saved), table.reason));
+    for tables in bake.left_out.chunk_by(|one, next| one.reason == next.reason) {
+        line("left out", left_out_words(tables));
     }
     if let Some(accuracy) = bake.horizon.as_ref().and_then(|horizon| horizon.accuracy.as_ref()) {
         line("error", console::accuracy(accuracy));
+    }
+    if let Some(hemisphere) = bake.relief_search.as_ref().and_then(|search| search.hemisphere.as_ref()) {
+        line("starts", console::starts(&hemisphere.accuracy));
     }
     if let (Some(curvature), Some(mesh)) = (&bake.curvature, &bake.mesh) {
         line("welded", mesh_words::welded(&curvature.mended, mesh.vertices, mesh.unit));
@@ -69,7 +73,12 @@ fn table_words(table: &TableReport) -> String {
     if !table.columns.is_empty() {
         return format!("{} columns, {size}", table.columns.len());
     }
-    let layers = layer_words(table.layers, table.candidates);
+    let layers = layer_words(LayerCounts {
+        layers: table.layers,
+        candidates: table.candidates,
+        rings: table.rings,
+        mips: table.mips,
+    });
     let cost = cost_words([*worst_case_error, *encoding_rms, *encoding_max], unit);
     format!("{format}{layers}, {size}, {cost}")
 }
@@ -87,13 +96,34 @@ fn cost_words(errors: [f64; 3], unit: &str) -> String {
     if errors[0] == 0.0 { "exact".to_owned() } else { format!("± {bound} (measured {rms} RMS, {max} at most)") }
 }
 
-/// ` × 32 directions`, ` × 2 points × 32 directions`, or nothing.
-pub(crate) fn layer_words(layers: u32, candidates: u32) -> String {
-    match (layers, candidates) {
-        (1, 0) => String::new(),
-        (layers, 0) => format!(" × {layers} directions"),
-        (layers, 1) => format!(" × 1 further point × {layers} directions"),
-        (layers, candidates) => format!(" × {candidates} further points × {} directions", layers / candidates),
+/// Neighbours in the list that one reason leaves out.
+fn left_out_words(tables: &[LeftOut]) -> String {
+    let names: Vec<_> = tables.iter().map(|left| left.table).collect();
+    let saved = tables.iter().map(|left| left.bytes_saved).fold(0, u64::saturating_add);
+    format!("{}, saving {}: {}", list(&names), bytes(saved), tables[0].reason)
+}
+
+/// How many layers and levels a texture has, and what they stand for.
+pub(crate) struct LayerCounts {
+    pub(crate) layers: u32,
+    /// Of a swept table; else 0.
+    pub(crate) candidates: u32,
+    /// Of a hemisphere table; else 0.
+    pub(crate) rings: u32,
+    pub(crate) mips: u32,
+}
+
+/// ` × 32 directions`, ` × 2 points × 32 directions`, ` × 32 rings × 16 azimuths`, ` × 9 levels`, or nothing.
+pub(crate) fn layer_words(counts: LayerCounts) -> String {
+    match counts {
+        LayerCounts { mips: mips @ 2.., .. } => format!(" × {mips} levels"),
+        LayerCounts { rings: rings @ 1.., layers, .. } => format!(" × {rings} rings × {} azimuths", layers / rings),
+        LayerCounts { layers: 1, candidates: 0, .. } => String::new(),
+        LayerCounts { layers, candidates: 0, .. } => format!(" × {layers} directions"),
+        LayerCounts { layers, candidates: 1, .. } => format!(" × 1 further point × {layers} directions"),
+        LayerCounts { layers, candidates, .. } => {
+            format!(" × {candidates} further points × {} directions", layers / candidates)
+        }
     }
 }
 
@@ -101,6 +131,7 @@ fn time_words(bake: &BakeReport) -> String {
     let threads = if bake.threads == 1 { "1 thread".to_owned() } else { format!("{} threads", bake.threads) };
     let speed = |stage: &str| match stage {
         "horizon" => bake.mtexel_directions_per_second.map(|speed| format!("{speed:.1} Mtexel·direction/s")),
+        "hemisphere" => bake.mrays_per_second.map(|speed| format!("{speed:.1} Mray/s")),
         "curvature" => bake.mvertices_per_second.map(|speed| format!("{speed:.2} Mvertex/s")),
         _ => None,
     };

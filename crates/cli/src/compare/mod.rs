@@ -33,7 +33,7 @@ struct TableReport {
     values: Option<ValueReport>,
 }
 
-/// Differences `b − a`, in degrees for elevations, in the length unit for lengths.
+/// Differences `b − a`, in degrees for elevations, in the length unit for lengths, plain for depths and ratios.
 #[derive(Serialize)]
 struct ValueReport {
     unit: &'static str,
@@ -60,6 +60,11 @@ enum Position {
         row: u32,
         /// Of the numbers of a texel.
         channel: u32,
+    },
+    Level {
+        mip: u32,
+        column: u32,
+        row: u32,
     },
     Vertex {
         vertex: u32,
@@ -113,22 +118,33 @@ fn compare_table(a: &DecodedTable<'_>, b: &DecodedTable<'_>, tolerance: f64) -> 
     }
     let (values_a, values_b) = (comparable(a), comparable(b));
     let descriptor = &a.descriptor;
-    let position = |index: usize| {
-        let (width, channels) = (descriptor.width as usize, descriptor.semantic.channels() as usize);
-        let (texel, texels) = (index / channels, width * descriptor.height as usize);
-        Position::Texel {
-            layer: (texel / texels) as u32,
-            column: (texel % width) as u32,
-            row: (texel % texels / width) as u32,
-            channel: (index % channels) as u32,
-        }
-    };
     let unit = match descriptor.unit {
         Unit::Radian => "degrees",
         Unit::Length(_) | Unit::None => descriptor.unit.symbol(),
     };
-    let values = compare_values([&values_a, &values_b], tolerance, unit, position);
+    let values = compare_values([&values_a, &values_b], tolerance, unit, |index| position(descriptor, index));
     TableReport { table: a.table.name(), same: values.first.is_none(), mismatch: None, values: Some(values) }
+}
+
+/// Where the `index`th value of a texture is.
+fn position(descriptor: &TextureDescriptor, index: usize) -> Position {
+    let channels = descriptor.semantic.channels() as usize;
+    let (mut texel, channel) = (index / channels, (index % channels) as u32);
+    let texels_of = |layer| {
+        let (width, height) = descriptor.picture_extent(layer);
+        width as usize * height as usize
+    };
+    let mut layer = 0;
+    while layer + 1 < descriptor.pictures() && texel >= texels_of(layer) {
+        texel -= texels_of(layer);
+        layer += 1;
+    }
+    let width = descriptor.picture_extent(layer).0 as usize;
+    let (column, row) = ((texel % width) as u32, (texel / width) as u32);
+    match descriptor.mips {
+        1 => Position::Texel { layer, column, row, channel },
+        _ => Position::Level { mip: layer, column, row },
+    }
 }
 
 /// Differences between two lists of the same length, whose numbers are at some `position` of a table.
@@ -161,10 +177,22 @@ fn shape_mismatch(a: &TextureDescriptor, b: &TextureDescriptor) -> Option<String
             ("azimuths", azimuth_words(d)),
             ("candidates", d.candidates.to_string()),
             ("range of curvatures", format!("{} to {}", d.curvature_min, d.curvature_max)),
+            ("grid of directions", ring_words(d)),
+            ("relief", format!("{} deep below {}", d.relief_thickness, d.relief_top)),
         ]
     };
     let different = facts(a).into_iter().zip(facts(b)).find(|(a, b)| a != b);
     different.map(|((fact, a), (_, b))| format!("{fact} is {a} in one and {b} in the other"))
+}
+
+fn ring_words(descriptor: &TextureDescriptor) -> String {
+    match (descriptor.directions(), descriptor.depth_mode) {
+        (Some(directions), Some(mode)) => {
+            let (spacing, polar) = (directions.spacing.name(), number(directions.max_polar_radians.to_degrees()));
+            format!("{} rings of {spacing} to {polar}°, {}", directions.rings, mode.name())
+        }
+        _ => "none".to_owned(),
+    }
 }
 
 fn azimuth_words(descriptor: &TextureDescriptor) -> String {
@@ -177,7 +205,8 @@ fn azimuth_words(descriptor: &TextureDescriptor) -> String {
 /// All decoded values, angles in degrees.
 fn comparable(table: &DecodedTable<'_>) -> Vec<f32> {
     let (view, descriptor) = (table.view(), &table.descriptor);
-    let rows = (0..descriptor.layers).flat_map(|layer| (0..descriptor.height).map(move |row| (layer, row)));
+    let rows_of = |layer| (0..descriptor.picture_extent(layer).1).map(move |row| (layer, row));
+    let rows = (0..descriptor.pictures()).flat_map(rows_of);
     let values = rows.flat_map(|(layer, row)| view.row(layer, row));
     match descriptor.unit {
         Unit::Radian => values.map(|radians| f64::from(radians).to_degrees() as f32).collect(),
@@ -213,6 +242,7 @@ fn values_words(values: &ValueReport) -> String {
                 Position::Texel { layer, column, row, channel } => {
                     format!("layer {layer}, column {column}, row {row}, channel {channel}")
                 }
+                Position::Level { mip, column, row } => format!("level {mip}, column {column}, row {row}"),
                 Position::Vertex { vertex, number } => format!("vertex {vertex}, {number}"),
             };
             format!("; {name} at {at}: {a} and {b}")

@@ -13,7 +13,7 @@ use barchan_pipeline::Table;
 use serde::Serialize;
 
 use crate::args::{CurvatureDumpArguments, DumpArguments, DumpFormat, MeshPictureArguments, TextureDumpArguments};
-use crate::asset_file::{AssetFile, DecodedTable, list};
+use crate::asset_file::{AssetFile, DecodedTable, list_tables};
 use crate::console;
 use crate::failure::{ExitStatus, Failure};
 use crate::output;
@@ -21,6 +21,7 @@ use crate::output;
 /// A table and the layers of it that were asked for.
 struct Selection<'a> {
     table: &'a DecodedTable<'a>,
+    /// As [`barchan_asset::TableView`] counts them: a level of a mip chain is one.
     layers: Range<u32>,
     /// One layer was named, so the layer axis is dropped where a format has one.
     single: bool,
@@ -28,11 +29,16 @@ struct Selection<'a> {
 
 impl Selection<'_> {
     fn width(&self) -> usize {
-        self.table.descriptor.width as usize
+        self.extent().0 as usize
     }
 
     fn height(&self) -> usize {
-        self.table.descriptor.height as usize
+        self.extent().1 as usize
+    }
+
+    /// Columns and rows of each layer; of levels there is only one.
+    fn extent(&self) -> (u32, u32) {
+        self.table.descriptor.picture_extent(self.layers.start)
     }
 
     /// Whether values are angles of elevation.
@@ -44,7 +50,7 @@ impl Selection<'_> {
         self.table.descriptor.semantic.is_directional()
     }
 
-    /// What the numbers of a texel are called; one alone has the table's name.
+    /// What the numbers of a texel are called.
     fn numbers(&self) -> &'static [&'static str] {
         match self.table.table {
             Table::BentNormal => &["u", "v", "height"],
@@ -55,6 +61,9 @@ impl Selection<'_> {
             Table::SweptHorizon => &["swept_horizon"],
             Table::SweptDistance => &["swept_distance"],
             Table::SkyVisibility => &["sky_visibility"],
+            Table::Hemisphere => &["depth"],
+            Table::ConeMap | Table::RelaxedConeMap => &["depth", "ratio"],
+            Table::MaximumMip => &["maximum_height"],
             // Not a texture, and never selected as one.
             Table::Curvature => &[],
         }
@@ -63,7 +72,7 @@ impl Selection<'_> {
     /// The decoded values of one layer, row by row, the numbers of a texel side by side. A bent normal has its height too.
     fn layer_values(&self, layer: u32) -> Vec<f32> {
         let (view, descriptor) = (self.table.view(), self.table.descriptor);
-        let rows = 0..descriptor.height;
+        let rows = 0..self.extent().1;
         if self.table.table != Table::BentNormal {
             return rows.flat_map(|row| view.row(layer, row)).collect();
         }
@@ -80,6 +89,9 @@ struct Report {
     table: &'static str,
     output: String,
     layers: u32,
+    /// The level of a mip chain.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mip: Option<u32>,
     width: u32,
     height: u32,
     values: &'static str,
@@ -110,8 +122,9 @@ pub(crate) fn run(arguments: &DumpArguments, json: bool) -> Result<ExitStatus, F
         table: table.table.name(),
         output: output.display().to_string(),
         layers: selection.layers.len() as u32,
-        width: table.descriptor.width,
-        height: table.descriptor.height,
+        mip: (table.descriptor.mips > 1).then_some(selection.layers.start),
+        width: selection.extent().0,
+        height: selection.extent().1,
         values: value_words(arguments.format, &selection),
     };
     console::present(&report, json, describe)?;
@@ -126,7 +139,7 @@ fn chosen_table(file: &AssetFile, named: Option<Table>) -> Result<Table, Failure
         (None, []) => Err(file.content("there is no table in the file")),
         (None, tables) => {
             let path = file.path.display();
-            Err(Failure::Usage(format!("{path}: the file has {}; name one of them", list(tables))))
+            Err(Failure::Usage(format!("{path}: the file has {}; name one of them", list_tables(tables))))
         }
     }
 }
@@ -159,6 +172,10 @@ fn select<'a>(
     if let Some(mip) = mip.filter(|&mip| mip >= mips) {
         return Err(out_of_range("mip", mip, mips));
     }
+    if mips > 1 && layer.is_none_or(|layer| layer < layers) {
+        let level = mip.unwrap_or(0);
+        return Ok(Selection { table, layers: level..level + 1, single: true });
+    }
     match layer {
         Some(layer) if layer >= layers => Err(out_of_range("layer", layer, layers)),
         Some(layer) => Ok(Selection { table, layers: layer..layer + 1, single: true }),
@@ -188,7 +205,13 @@ fn value_words(format: DumpFormat, selection: &Selection<'_>) -> &'static str {
             "16-bit red, green, blue for u, v, height from -1 to 1, alpha for the cosine of the half-angle"
         }
         (Semantic::SkyVisibility, Png) => "16-bit grey, white where all of the sky is seen",
+        (Semantic::HemisphereDepth, Png) => "16-bit grey from the top of the relief, black, to its bottom",
+        (Semantic::ConeMap | Semantic::RelaxedConeMap, Png) => {
+            "16-bit red for the depth from 0 to 1, green for the ratio over the table's range"
+        }
         (_, Png) => "16-bit grey over the table's range",
+        (Semantic::HemisphereDepth, _) => "depths from 0 at the top of the relief to 1 at its bottom",
+        (Semantic::ConeMap | Semantic::RelaxedConeMap, _) => "depths and ratios of cones",
         (Semantic::SkyVisibility, _) => "shares of the sky",
         (Semantic::BentNormal, _) => "u, v and height of unit vectors",
         (Semantic::ApertureCone, _) => "u, v and height of unit vectors, and cosines of half-angles",
@@ -209,7 +232,11 @@ fn to_stdout(format: DumpFormat, json: bool, bytes: &[u8]) -> Result<ExitStatus,
 }
 
 fn describe(report: &Report) -> String {
-    let Report { table, output, layers, width, height, values, .. } = report;
-    let layers = if *layers == 1 { String::new() } else { format!("{layers} layers of ") };
+    let Report { table, output, layers, mip, width, height, values, .. } = report;
+    let layers = match mip {
+        Some(mip) => format!("level {mip}, "),
+        None if *layers == 1 => String::new(),
+        None => format!("{layers} layers of "),
+    };
     format!("dumped    {table} to {output}: {layers}{width} × {height}, {values}\n")
 }

@@ -1,4 +1,4 @@
-//! Float32 arrays for NumPy: `[height, width]` with the axes in front that a table has, candidates and directions, and one
+//! Float32 arrays for NumPy: `[height, width]` with the axes in front that a table has, candidates or rings and directions, and one
 //! behind for the numbers of a texel, if there are several.
 
 use npyz::WriterBuilder;
@@ -23,11 +23,13 @@ pub(super) fn array(shape: &[u64], values: impl Iterator<Item = f32>) -> Result<
 
 /// One layer alone has no axis for layers.
 fn shape(selection: &Selection<'_>) -> Vec<u64> {
-    let (layers, candidates) = (selection.layers.len() as u64, u64::from(selection.table.descriptor.candidates));
-    let mut shape = match (selection.single, candidates) {
+    let descriptor = &selection.table.descriptor;
+    // No table has both.
+    let (layers, groups) = (selection.layers.len() as u64, u64::from(descriptor.candidates.max(descriptor.rings)));
+    let mut shape = match (selection.single, groups) {
         (true, _) => vec![],
         (false, 0) => vec![layers],
-        (false, candidates) => vec![candidates, layers / candidates],
+        (false, groups) => vec![groups, layers / groups],
     };
     shape.extend([selection.height() as u64, selection.width() as u64]);
     let numbers = selection.numbers().len() as u64;

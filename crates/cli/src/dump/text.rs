@@ -23,8 +23,9 @@ pub(super) fn text(selection: &Selection<'_>) -> String {
 }
 
 fn heading(selection: &Selection<'_>, layer: u32, text: &mut String) {
-    let descriptor = &selection.table.descriptor;
-    let (semantic, width, height) = (descriptor.semantic.name(), descriptor.width, descriptor.height);
+    let Selection { table, .. } = selection;
+    let descriptor = &table.descriptor;
+    let (semantic, (width, height)) = (descriptor.semantic.name(), selection.extent());
     let unit = match descriptor.unit {
         barchan_asset::Unit::Radian => " in degrees".to_owned(),
         barchan_asset::Unit::Length(length) => format!(" in {}", length.symbol()),
@@ -34,25 +35,33 @@ fn heading(selection: &Selection<'_>, layer: u32, text: &mut String) {
         [_] => String::new(),
         numbers => format!(", {} of each texel", numbers.join(", ")),
     };
-    let candidate = match descriptor.candidates {
-        0 => String::new(),
-        _ => format!(", point {}", selection.table.candidate(layer)),
+    let level = if descriptor.mips > 1 { format!(", level {layer}") } else { String::new() };
+    let direction = direction_words(selection, layer);
+    let _ = writeln!(text, "# {semantic}{unit}{numbers}{level}{direction}, {width} × {height}");
+}
+
+/// `, point 1, direction 3, azimuth 33.75°`, `, ring 2 from 12.5°, direction 3, azimuth 67.5°`, or nothing.
+fn direction_words(selection: &Selection<'_>, layer: u32) -> String {
+    let Selection { table, .. } = selection;
+    if !selection.is_directional() {
+        return String::new();
+    }
+    let group = match (table.candidate_or_ring(layer), table.descriptor.candidates, table.descriptor.rings) {
+        (_, 0, 0) => String::new(),
+        (point, _, 0) => format!(", point {point}"),
+        (ring, _, _) => format!(", ring {ring} from {}°", number(table.polar_degrees(ring))),
     };
-    let azimuth = match selection.is_directional() {
-        true => {
-            let (direction, azimuth) = (selection.table.direction(layer), selection.table.azimuth_degrees(layer));
-            format!(", direction {direction}, azimuth {}°", number(azimuth))
-        }
-        false => String::new(),
-    };
-    let _ = writeln!(text, "# {semantic}{unit}{numbers}{candidate}{azimuth}, {width} × {height}");
+    let (direction, azimuth) = (table.direction(layer), number(table.azimuth_degrees(layer)));
+    format!("{group}, direction {direction}, azimuth {azimuth}°")
 }
 
 /// A line per texel; elevations as an angle and as a slope. Numbers are written so that they read back to the bit.
 pub(super) fn csv(selection: &Selection<'_>) -> String {
-    let is_swept = selection.table.descriptor.candidates > 0;
+    let descriptor = &selection.table.descriptor;
+    let (is_swept, has_rings) = (descriptor.candidates > 0, descriptor.rings > 0);
     let mut text = String::new();
     text.push_str(if is_swept { "point," } else { "" });
+    text.push_str(if has_rings { "ring,polar_degrees," } else { "" });
     text.push_str(if selection.is_directional() { "direction,azimuth_degrees,row,column," } else { "row,column," });
     let names = match selection.is_elevation() {
         true => "elevation_degrees,slope".to_owned(),
@@ -63,8 +72,12 @@ pub(super) fn csv(selection: &Selection<'_>) -> String {
     for layer in selection.layers.clone() {
         let (numbers, width) = (selection.numbers().len(), selection.width());
         for (texel, values) in selection.layer_values(layer).chunks_exact(numbers).enumerate() {
+            let group = selection.table.candidate_or_ring(layer);
             if is_swept {
-                let _ = write!(text, "{},", selection.table.candidate(layer));
+                let _ = write!(text, "{group},");
+            }
+            if has_rings {
+                let _ = write!(text, "{group},{},", selection.table.polar_degrees(group));
             }
             if selection.is_directional() {
                 let (direction, azimuth) = (selection.table.direction(layer), selection.table.azimuth_degrees(layer));

@@ -4,7 +4,7 @@
 //!
 //! The table holds a depth for every texel of the top plane and every cell of directions. A ray looks up the texel it enters in
 //! and the cell it comes from: its ring by the tangent of its polar angle, rounded towards the normal, and the nearest
-//! azimuth. Tomofumi Suzuki, *An Accelerated Relief Mapping Using Depth Maps*.
+//! azimuth. Takeshi Suzuki, *An Accelerated Relief Mapping Using Depth Maps*.
 //!
 //! - [`DepthMode::Conservative`]: no ray of the cell meets the relief above that depth. The start is that depth on the ray
 //!   itself, and proven.
@@ -61,6 +61,12 @@ impl<'a> DepthMapStart<'a> {
             edges: (0..=directions.rings).map(|ring| directions.tangent_of_edge(ring)).collect(),
             azimuths: (0..directions.azimuths.count()).map(towards).collect(),
         })
+    }
+
+    /// The table.
+    #[must_use]
+    pub fn view(&self) -> &HemisphereView<'a> {
+        &self.view
     }
 
     /// Where to begin to search along a ray.

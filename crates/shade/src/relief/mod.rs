@@ -26,26 +26,38 @@
 mod cell;
 mod cones;
 mod depth_map;
+mod heat;
 mod linear;
 mod matching;
 mod maximum_mip;
+mod occlusion;
 mod parallax;
+mod quadrature;
 mod ray;
 mod relaxed_cones;
+mod road;
+mod shadow;
 mod start;
 mod surface;
 mod traced;
+mod view;
 
 pub use cones::ConeSteps;
 pub use depth_map::DepthMapStart;
+pub use heat::heat_map;
 pub use linear::LinearSearch;
 pub use matching::MismatchedRelief;
 pub use maximum_mip::MaximumMipTraversal;
+pub use occlusion::{HemisphereOcclusion, MAP_TOLERANCE, Occlusion};
 pub use parallax::ParallaxOcclusion;
+pub use quadrature::{HemisphereCell, HemisphereQuadrature};
 pub use ray::ReliefRay;
 pub use relaxed_cones::RelaxedConeSteps;
+pub use road::ReliefRoad;
+pub use shadow::{ReliefShadow, SHADOW_TOLERANCE, ShadowAnswer};
 pub use surface::Relief;
 pub use traced::TracedRelief;
+pub use view::{ReliefLight, ReliefPixel, ReliefPixels, relief_direction};
 
 use std::ops::AddAssign;
 

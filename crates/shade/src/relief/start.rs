@@ -1,6 +1,6 @@
 //! What to do with a start that is not proven.
 //!
-//! Tomofumi Suzuki, *An Accelerated Relief Mapping Using Depth Maps*, section 3.2: where the start is outside the relief, march
+//! Takeshi Suzuki, *An Accelerated Relief Mapping Using Depth Maps*, section 3.2: where the start is outside the relief, march
 //! on; where it is inside, march back out.
 
 use super::{Fetches, Relief, ReliefRay, Start};
