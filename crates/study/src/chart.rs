@@ -8,7 +8,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::StudyError;
 
-/// Points joined by lines.
+/// Points joined by lines; one alone is a dot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// Its name in the legend.
@@ -92,6 +92,9 @@ impl LineChart {
                     .draw_series(LineSeries::new(curve.points.iter().copied(), style))?
                     .label(&curve.name)
                     .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
+                if let [point] = curve.points[..] {
+                    chart.draw_series([Circle::new(point, 4, colour.filled())])?;
+                }
             }
             chart
                 .configure_series_labels()
@@ -210,6 +213,14 @@ mod tests {
         let svg = LineChart { title, across, up, curves: vec![curve("low", 1.0), curve("high", 2.0)] }.svg().unwrap();
         assert!(words.iter().all(|word| svg.contains(word.as_str())));
         assert!(svg.contains("low") && svg.contains("high") && svg.contains("#000000") && svg.contains("#D55E00"));
+    }
+
+    #[test]
+    fn a_point_alone_is_seen() {
+        let curve = |points: Vec<(f64, f64)>| Curve { name: String::new(), points };
+        let svg = |points| LineChart { title: String::new(), across: String::new(), up: String::new(), curves: vec![curve(points)] }.svg();
+        assert_eq!(svg(vec![(1.0, 2.0)]).unwrap().matches("<circle").count(), 1);
+        assert_eq!(svg(vec![(1.0, 2.0), (2.0, 3.0)]).unwrap().matches("<circle").count(), 0);
     }
 
     #[test]

@@ -19,13 +19,13 @@
 //! paper's 32 × 16 directions and 64 × 64 depths.
 
 use barchan_bakers::Exec;
-use barchan_shade::Relief;
+use barchan_shade::{DepthMapStart, LinearSearch, Relief};
 
 use crate::hemisphere_spec::{HemisphereSpec, Layers, StoredHemisphere};
 use crate::relief_method::{Feed, Method, Search};
 use crate::relief_rays::{Sight, anywhere, anywhere_within};
 use crate::relief_seeker::{Seeker, timed, timings};
-use crate::relief_tables::StoredSearch;
+use crate::relief_tables::{BISECTIONS, StoredSearch};
 use crate::runner::{Observer, Step};
 use crate::timer::Pace;
 use crate::{Record, Scale, Scene, Setting, StudyError, reliefs, start_faults, tables};
@@ -35,6 +35,12 @@ const ELEVATIONS: [f64; 4] = [80.0, 45.0, 20.0, 15.0];
 
 /// The angle from the normal that hemispheres are baked to, degrees.
 pub(crate) const MAX_POLAR: f64 = 80.0;
+
+/// The elevation at which numbers of steps are compared, degrees.
+const SWEPT_ELEVATION: f64 = 20.0;
+
+/// The numbers of steps that are compared.
+const SWEPT_STEPS: [u32; 7] = [8, 12, 16, 32, 64, 128, 256];
 
 /// The study.
 pub struct Searches<'a> {
@@ -95,6 +101,7 @@ pub fn measure(study: &Searches<'_>, scenes: &[Scene], observe: &mut Observer<'_
             let sights = anywhere(&relief, width, 90.0 - elevation, study.rays);
             records.extend(study.compare(&bench, elevation, &sights)?);
         }
+        records.extend(stored.sweep(scene, &relief, &anywhere(&relief, width, 90.0 - SWEPT_ELEVATION, study.rays))?);
         let sights = anywhere_within(&relief, width, MAX_POLAR, study.rays);
         let linear = Method::all().zip(&bench.seekers).filter(|(method, _)| method.search == Search::Linear);
         for (method, seeker) in linear {
@@ -133,20 +140,43 @@ impl Stored {
     fn bench<'a>(&'a self, scene: &'a Scene, relief: &Relief<'a>) -> Result<Bench<'a>, StudyError> {
         let mut bench = Bench { scene, seekers: Vec::new(), weights: Vec::new() };
         for (search, feed) in self.searches.iter().flat_map(|search| Feed::ALL.map(|feed| (search, feed))) {
-            let hemisphere = match feed {
-                Feed::Top => None,
-                Feed::Nearest => Some(&self.nearest),
-                Feed::Conservative => Some(&self.conservative),
-            };
-            let (start, more) = match hemisphere {
-                None => (None, (0, 0.0)),
-                Some(stored) => (Some(stored.start(relief)?), (stored.bytes(), stored.seconds)),
-            };
             let (bytes, seconds) = search.weight();
-            bench.seekers.push(Seeker { search: search.of(relief)?, start });
+            let more = self.hemisphere(feed).map_or((0, 0.0), |stored| (stored.bytes(), stored.seconds));
+            bench.seekers.push(Seeker { search: search.of(relief)?, start: self.start(relief, feed)? });
             bench.weights.push((bytes + more.0, seconds + more.1));
         }
         Ok(bench)
+    }
+
+    fn hemisphere(&self, feed: Feed) -> Option<&StoredHemisphere> {
+        match feed {
+            Feed::Top => None,
+            Feed::Nearest => Some(&self.nearest),
+            Feed::Conservative => Some(&self.conservative),
+        }
+    }
+
+    fn start(&self, relief: &Relief<'_>, feed: Feed) -> Result<Option<DepthMapStart<'_>>, StudyError> {
+        self.hemisphere(feed).map(|stored| stored.start(relief)).transpose()
+    }
+
+    /// Linear searches of several numbers of steps, and beside them what has no steps to choose.
+    fn sweep(&self, scene: &Scene, relief: &Relief<'_>, sights: &[Sight]) -> Result<Vec<Record>, StudyError> {
+        let mut records = Vec::new();
+        for feed in Feed::ALL {
+            for steps in SWEPT_STEPS {
+                let search = Box::new(LinearSearch::new(relief, steps, BISECTIONS));
+                let seeker = Seeker { search, start: self.start(relief, feed)? };
+                let setting = setting(Method { search: Search::Linear, feed }, SWEPT_ELEVATION).with("steps", steps);
+                records.push(seeker.judge(Record::new("relief_sweep", setting, scene), sights));
+            }
+        }
+        for search in self.searches.iter().filter(|search| matches!(search.search, Search::Cones | Search::MaximumMip)) {
+            let seeker = Seeker { search: search.of(relief)?, start: self.start(relief, Feed::Conservative)? };
+            let method = Method { search: search.search, feed: Feed::Conservative };
+            records.push(seeker.judge(Record::new("relief_sweep", setting(method, SWEPT_ELEVATION), scene), sights));
+        }
+        Ok(records)
     }
 }
 
@@ -166,7 +196,7 @@ mod tests {
     }
 
     fn of<'a>(records: &'a [Record], words: &'a str) -> impl Iterator<Item = &'a Record> {
-        records.iter().filter(move |record| record.setting.to_string().starts_with(words))
+        records.iter().filter(move |record| record.technique != "relief_sweep" && record.setting.to_string().starts_with(words))
     }
 
     #[test]

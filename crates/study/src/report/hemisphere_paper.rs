@@ -150,7 +150,7 @@ fn views(records: &[&Record]) -> String {
     for view in records.iter().filter(shown) {
         let first = format!("{}, {}, {}, {}", steps(view), depth(view.rms), or_none(view.height_fetches, short), time(view));
         let own: Vec<&Record> =
-            records.iter().filter(|record| baseline(records, record).is_some_and(|of| std::ptr::eq(of, **view))).copied().collect();
+            records.iter().filter(|record| baseline(records, record).is_some_and(|of| std::ptr::eq(of, *view))).copied().collect();
         let cells = COLUMNS.map(|(start, at, _)| {
             let record = own.iter().find(|record| has(record, &[("start", start), ("at", at)]))?;
             Some(format!("{}, {}, {}, {}", steps(record), depth(record.rms), or_none(fetches(record), short), time(record)))
