@@ -1,8 +1,10 @@
 //! Damage: every flipped bit and every missing or added byte of a small file is noticed.
 
 use barchan_asset::{
-    Asset, AssetWriter, Azimuths, BentNormalTable, Codec, CurvatureSweep, CurvatureTable, Encoding, HorizonTable,
-    LengthUnit, Limits, OpenError, Severity, SurfaceForms, SweptHorizonTable, TableGrid, VertexFlags, Wrap, validate,
+    Asset, AssetWriter, Azimuths, BentNormalTable, Codec, ConeMapTable, CurvatureSweep, CurvatureTable, DepthMode,
+    Encoding, HeightTable, HemisphereDirections, HemisphereTable, HorizonTable, LengthUnit, Limits, MaximumMipTable,
+    OpenError, ReliefRange, RingSpacing, Severity, SurfaceForms, SweptHorizonTable, TableGrid, VertexFlags, Wrap,
+    validate,
 };
 
 /// Two sections, padding of every sort: behind the descriptor, between layers, between sections.
@@ -60,13 +62,39 @@ fn small_file_of_curvature() -> Vec<u8> {
     writer.finish().unwrap()
 }
 
+/// All that version 3 of the descriptor brought, in one file.
+fn small_file_of_version_3() -> Vec<u8> {
+    let (length_unit, wrap) = (LengthUnit::Metre, Wrap::Clamp);
+    let grid =
+        TableGrid { width: 2, height: 1, spacing_u: 1.0, spacing_v: 1.0, length_unit, wrap_u: wrap, wrap_v: wrap };
+    let relief = ReliefRange { top: 2.0, thickness: 1.0 };
+    let (azimuths, spacing) = (Azimuths::full_circle(2), RingSpacing::EqualAngles);
+    let directions = HemisphereDirections { rings: 1, azimuths, spacing, max_polar_radians: 1.0 };
+    let (mode, values) = (DepthMode::Conservative, [0.0, 1.0, 0.25, 0.75]);
+    let mut writer = AssetWriter::new();
+    for table in [
+        HeightTable { grid, values: &[1.0, 2.0] }.encode(Encoding::F32),
+        HemisphereTable { grid, directions, mode, relief, values: &values }.encode(Encoding::Compact),
+        ConeMapTable { grid, relief, values: &values }.encode(Encoding::Compact),
+        MaximumMipTable { grid, levels: &[&[1.5, 2.0], &[2.0]] }.encode(Encoding::Compact),
+    ] {
+        writer.add_table(table.unwrap(), Codec::Raw).unwrap();
+    }
+    writer.finish().unwrap()
+}
+
+/// One of every sort.
+fn small_files() -> [Vec<u8>; 4] {
+    [small_file(), small_file_of_version_2(), small_file_of_version_3(), small_file_of_curvature()]
+}
+
 fn has_error(file: &[u8]) -> bool {
     validate(file, &Limits::default()).iter().any(|finding| finding.severity == Severity::Error)
 }
 
 #[test]
 fn every_flipped_bit_is_an_error() {
-    for mut file in [small_file(), small_file_of_version_2(), small_file_of_curvature()] {
+    for mut file in small_files() {
         assert_eq!(validate(&file, &Limits::default()), []);
         for bit in 0..8 * file.len() {
             file[bit / 8] ^= 1 << (bit % 8);
@@ -78,7 +106,7 @@ fn every_flipped_bit_is_an_error() {
 
 #[test]
 fn every_truncation_is_refused_at_open() {
-    for file in [small_file(), small_file_of_version_2(), small_file_of_curvature()] {
+    for file in small_files() {
         for length in 0..file.len() {
             let error = Asset::open(&file[..length]).unwrap_err();
             let expected = matches!(error, OpenError::TooShort { .. } | OpenError::FileSize { .. });

@@ -4,8 +4,9 @@
 use std::alloc::System;
 
 use barchan_asset::{
-    ApertureConeView, Asset, BentNormalView, CurvatureColumn, CurvatureView, DistanceView, HeightView, HorizonView,
-    Limits, Section, SkyVisibilityView, SweptDistanceView, SweptHorizonView, TableView, content_identity, validate,
+    ApertureConeView, Asset, BentNormalView, ConeMapView, CurvatureColumn, CurvatureView, DistanceView, HeightView,
+    HemisphereView, HorizonView, Limits, MaximumMipView, RelaxedConeMapView, Section, SkyVisibilityView,
+    SweptDistanceView, SweptHorizonView, TableView, content_identity, validate,
     vectors::{self, reseal},
 };
 use cap::Cap;
@@ -44,14 +45,15 @@ fn exercise(file: &[u8]) {
         exercise_curvature(&section);
         let (Ok(payload), Ok(descriptor)) = (section.payload(&LIMITS), section.texture()) else { continue };
         let Ok(view) = TableView::new(descriptor, &payload) else { continue };
-        for layer in 0..descriptor.layers {
-            let _ = view.row(layer, descriptor.height - 1).sum::<f32>();
+        for layer in 0..descriptor.pictures() {
+            let _ = view.row(layer, descriptor.picture_extent(layer).1 - 1).sum::<f32>();
         }
         let last = (descriptor.layers - 1, descriptor.width - 1, descriptor.height - 1);
         let _ = HeightView::new(descriptor, &payload).map(|view| view.height_at(last.1, last.2));
         let _ = HorizonView::new(descriptor, &payload).map(|view| view.elevation_radians(last.0, last.1, last.2));
         let _ = DistanceView::new(descriptor, &payload).map(|view| view.distance(last.0, last.1, last.2));
         exercise_newer_views(&view);
+        exercise_relief_views(&view);
     }
 }
 
@@ -78,6 +80,27 @@ fn exercise_newer_views(view: &TableView<'_>) {
     let _ = BentNormalView::new(descriptor, payload).map(|view| view.normal(column, row));
     if let Ok(view) = ApertureConeView::new(descriptor, payload) {
         let _ = (view.axis(column, row), view.cosine_of_half_angle(column, row));
+    }
+}
+
+/// The views that came with version 3 of the descriptor.
+fn exercise_relief_views(view: &TableView<'_>) {
+    let (descriptor, payload) = (*view.descriptor(), view.payload());
+    let (column, row) = (descriptor.width - 1, descriptor.height - 1);
+    if let Ok(view) = HemisphereView::new(descriptor, payload) {
+        let directions = view.directions();
+        assert_eq!(directions.layers(), descriptor.layers);
+        for number in [0.0, 0.7, 1e300, -7.5, f64::NAN, f64::INFINITY] {
+            assert!(directions.ring_of_tangent(number).is_none_or(|ring| ring < directions.rings));
+            assert!(directions.azimuth_cell(number).is_none_or(|cell| cell < directions.azimuths.count()));
+        }
+        let _ = (view.depth(descriptor.layers - 1, column, row), view.mode(), view.relief().depth(0.0));
+    }
+    let _ = ConeMapView::new(descriptor, payload).map(|view| (view.depth(column, row), view.ratio(column, row)));
+    let _ = RelaxedConeMapView::new(descriptor, payload).map(|view| (view.depth(column, row), view.ratio(0, 0)));
+    if let Ok(view) = MaximumMipView::new(descriptor, payload) {
+        assert_eq!(view.extent(view.levels() - 1), (1, 1));
+        let _ = (view.value(0, column, row), view.value(view.levels() - 1, 0, 0));
     }
 }
 

@@ -69,7 +69,7 @@ const fn warning(id: &'static str, summary: &'static str) -> FindingKind {
 }
 
 /// Every finding there is, by number.
-pub const FINDINGS: [FindingKind; 63] = [
+pub const FINDINGS: [FindingKind; 68] = [
     error("B0101", "fewer bytes than a header"),
     error("B0102", "not the magic"),
     error("B0103", "unsupported major version"),
@@ -118,6 +118,7 @@ pub const FINDINGS: [FindingKind; 63] = [
     error("B0411", "candidates that do not fit the layers or the semantic"),
     error("B0412", "curvature descriptor of another length than its columns ask for"),
     error("B0413", "curvature column out of order, or missing"),
+    error("B0414", "rings that do not divide the layers"),
     error("B0501", "value not finite"),
     error("B0502", "value outside the stated range"),
     error("B0503", "stated range not reached by the values"),
@@ -129,10 +130,14 @@ pub const FINDINGS: [FindingKind; 63] = [
     error("B0509", "first fundamental form that is not positive"),
     error("B0510", "unknown remark on a vertex"),
     error("B0511", "curvature of a vertex where none can be known"),
+    error("B0512", "depth of a cone map outside 0 to 1"),
+    error("B0513", "maximum below one that it stands for"),
     error("B0601", "provenance not UTF-8"),
     error("B0602", "provenance with a descriptor"),
     error("B0701", "swept table that does not lie as its companion does"),
     warning("B0702", "swept table without its companion"),
+    error("B0703", "relief table that does not lie over the heights"),
+    warning("B0704", "relief table without the heights"),
 ];
 
 /// The severity of the finding with that number.

@@ -3,6 +3,7 @@
 mod companions;
 mod curvature;
 mod findings;
+mod maxima;
 mod values;
 
 use std::format;
@@ -130,7 +131,10 @@ impl Report {
     fn texture(&mut self, section: &Section<'_>, payload: &[u8]) {
         let table = section.texture().and_then(|descriptor| crate::TableView::new(descriptor, payload));
         match table {
-            Ok(table) => values::check(&table, |id, message| self.add(id, Some(section.kind()), message)),
+            Ok(table) => {
+                values::check(&table, |id, message| self.add(id, Some(section.kind()), message));
+                maxima::check(&table, |id, message| self.add(id, Some(section.kind()), message));
+            }
             Err(error) => self.add(error.id(), Some(section.kind()), error.to_string()),
         }
     }

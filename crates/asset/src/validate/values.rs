@@ -12,7 +12,7 @@ const UNIT_LENGTH_SLACK: f64 = 1e-6;
 /// Reports padding that is not zero, the first value that is not what the format allows, and a range that the values do
 /// not reach. A stated range is legal for its semantic, or the descriptor would have been refused.
 pub(super) fn check(table: &TableView<'_>, mut add: impl FnMut(&'static str, String)) {
-    for layer in 0..table.descriptor().layers {
+    for layer in 0..table.descriptor().pictures() {
         if let Some(at) = first_nonzero(table.layer_padding(layer)) {
             add("B0504", format!("the padding byte {at} behind layer {layer} is not zero"));
         }
@@ -29,8 +29,9 @@ pub(super) fn check(table: &TableView<'_>, mut add: impl FnMut(&'static str, Str
 }
 
 fn rows(table: &TableView<'_>) -> impl Iterator<Item = (u32, u32)> + use<> {
-    let height = table.descriptor().height;
-    (0..table.descriptor().layers).flat_map(move |layer| (0..height).map(move |row| (layer, row)))
+    let descriptor = *table.descriptor();
+    (0..descriptor.pictures())
+        .flat_map(move |layer| (0..descriptor.picture_extent(layer).1).map(move |row| (layer, row)))
 }
 
 /// A finding's number and sentence.
@@ -65,7 +66,11 @@ impl<'a, 'b> Values<'a, 'b> {
             if !value.is_finite() {
                 return Err(("B0501", format!("{}; values must be finite", place())));
             }
-            if !in_domain(transfer, t) {
+            if descriptor.semantic.is_plain((index % channels) as u32) {
+                if !(0.0..=1.0).contains(&value) {
+                    return Err(("B0512", format!("{}; a depth is within 0 to 1", place())));
+                }
+            } else if !in_domain(transfer, t) {
                 return Err(("B0505", format!("{} from {t}, outside the domain of {}", place(), transfer.name())));
             }
             if value < self.accepted.0 || value > self.accepted.1 {

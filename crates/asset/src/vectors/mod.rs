@@ -4,6 +4,7 @@
 //! the folder itself to the values that `tests/vectors.rs` states, and refuse those under `refused/`.
 
 mod curvature;
+mod relief;
 
 use core::f64::consts::FRAC_PI_4;
 use core::ops::Range;
@@ -23,6 +24,7 @@ use crate::{
 };
 
 pub use curvature::{CURVED, CurvedVertex, PRINCIPAL};
+pub use relief::{RELIEF, RELIEF_RANGE, cone_ratio, hemisphere_depth, maxima};
 
 /// One published file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -60,6 +62,10 @@ pub fn all() -> Result<Vec<Vector>, WriteError> {
         vector("curvature-f32", curvature::everything(Encoding::F32)?),
         vector("curvature-f16", curvature::everything(Encoding::F16)?),
         vector("curvature-principal", curvature::principal()?),
+        vector("relief-f32", relief::everything(Encoding::F32)?),
+        vector("relief-f16", relief::everything(Encoding::F16)?),
+        vector("relief-compact", relief::everything(Encoding::Compact)?),
+        vector("hemisphere-arc", relief::arc()?),
         vector("unknown-ancillary", with_note(false)?),
         vector("newer-minor", newer_minor()?),
         vector("refused/unknown-critical", with_note(true)?),

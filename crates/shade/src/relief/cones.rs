@@ -62,7 +62,8 @@ impl Cones {
 pub(crate) fn step(ray: &ReliefRay, gap: f64, ratio: f64) -> f64 {
     // Along the normal all of the gap is free, whatever the ratio.
     let part = if ray.tangent() > 0.0 { ratio / (ray.tangent() + ratio) } else { 1.0 };
-    if gap > 0.0 && part > 0.0 { gap * part } else { 0.0 }
+    // A damaged table may hold anything; no gap is wider than the relief is thick.
+    if gap > 0.0 && part > 0.0 { (gap * part).min(1.0) } else { 0.0 }
 }
 
 impl<'a> ConeSteps<'a> {
@@ -93,7 +94,7 @@ impl ReliefSearch for ConeSteps<'_> {
             if sample {
                 fetches += Fetches::TABLE;
                 let (gap, ratio) = self.cones.sample(ray, depth);
-                let next = depth + step(ray, gap, ratio);
+                let next = (depth + step(ray, gap, ratio)).min(1.0);
                 last_ratio = ratio;
                 if next > exit.depth && exit.depth < 1.0 {
                     (depth, cell) = (next, Cell::behind(ray, next));
