@@ -121,12 +121,14 @@ impl OpenTable {
     /// The last layer as a reader will decode it.
     pub(crate) fn last_layer(&self) -> TableView<'_> {
         let alone = Azimuths::full_circle(1);
+        let descriptor = self.encoder.descriptor();
         let descriptor = TextureDescriptor {
             layers: 1,
-            candidates: self.encoder.descriptor().candidates.min(1),
+            candidates: descriptor.candidates.min(1),
+            rings: descriptor.rings.min(1),
             first_azimuth: alone.first_radians(),
             azimuth_step: alone.step_radians(),
-            ..*self.encoder.descriptor()
+            ..*descriptor
         };
         TableView::new(descriptor, &self.bytes).expect("a layer of a table is a table of one layer")
     }

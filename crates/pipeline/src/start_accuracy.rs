@@ -1,6 +1,7 @@
 //! How near to the surface a hemisphere table lets rays start, measured on a sample of rays while its layers pass.
 
-use barchan_bakers::hemisphere::{HemisphereParams, reference};
+use barchan_bakers::hemisphere::HemisphereParams;
+use barchan_bakers::hemisphere::reference::FirstHits;
 use barchan_field::HeightField;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -71,9 +72,10 @@ impl StartSample {
     /// Follows the rays.
     pub(crate) fn measure(&self, surface: &HeightField) -> StartAccuracy {
         let count = self.rays.len() as f64;
+        let first_hits = FirstHits::of(surface);
         let (mut starts, mut hits, mut beyond, mut beyond_max) = (0.0, 0.0, 0_u64, 0.0_f64);
         for &SampledRay { entry: (x, y), towards, start, .. } in &self.rays {
-            let hit = reference::first_hit(surface, x, y, towards);
+            let hit = first_hits.find(x, y, towards);
             starts += start;
             hits += hit;
             if start > hit + ROUNDING {

@@ -51,8 +51,8 @@ pub use principal::PrincipalUv;
 pub use relief::{
     ConeSteps, DepthMapStart, Fetches, Found, HemisphereCell, HemisphereOcclusion, HemisphereQuadrature, LinearSearch,
     MAP_TOLERANCE, MaximumMipTraversal, MismatchedRelief, Occlusion, ParallaxOcclusion, RelaxedConeSteps, Relief,
-    ReliefLight, ReliefPixel, ReliefPixels, ReliefRay, ReliefRoad, ReliefSearch, ReliefShadow, SHADOW_TOLERANCE,
-    ShadowAnswer, Start, TracedRelief, heat_map, relief_direction,
+    ReliefLight, ReliefPixel, ReliefPixels, ReliefRay, ReliefRoad, ReliefSearch, ReliefShadow, ReliefStage,
+    SHADOW_TOLERANCE, ShadowAnswer, StageEye, Start, TracedRelief, heat_map, relief_direction,
 };
 pub use sky::SkyLight;
 pub use surface::Surface;

@@ -3,6 +3,7 @@
 //! Inside one bilinear cell the surface's depth below the ray is a parabola g(s) = g₀ + b s + c s², s from 0 where the ray enters the cell
 //! to 1 where it leaves it. The first hit is its least root there. Nothing is sampled: the hit is exact up to f64 rounding.
 
+use barchan_asset::ReliefRange;
 use barchan_field::HeightField;
 use glam::DVec3;
 
@@ -16,14 +17,35 @@ use super::ray::{Crossing, Crossings, DepthRay};
 /// from above, `towards.z` ≤ 0, never gets below the top plane: 0.
 #[must_use]
 pub fn first_hit(field: &HeightField, x: f64, y: f64, towards: DVec3) -> f64 {
-    let relief = relief_range(field);
-    if towards.z <= 0.0 || relief.thickness == 0.0 {
-        return 0.0;
+    FirstHits::of(field).find(x, y, towards)
+}
+
+/// [`first_hit`] of many rays: the highest and the lowest height of the field are looked for once.
+#[derive(Debug, Clone, Copy)]
+pub struct FirstHits<'a> {
+    field: &'a HeightField,
+    relief: ReliefRange,
+}
+
+impl<'a> FirstHits<'a> {
+    /// Of the rays that meet a field.
+    #[must_use]
+    pub fn of(field: &'a HeightField) -> Self {
+        Self { field, relief: relief_range(field) }
     }
-    let ray = DepthRay::new((towards.x / towards.z, towards.y / towards.z), relief, field.grid().spacing);
-    let depth = |column: i64, row: i64| relief.depth(f64::from(field.texel(column, row)));
-    let mut crossings = Crossings::new(ray, (x, y));
-    crossings.find_map(|crossing| hit(&crossing, depth)).unwrap_or(ray.deepest())
+
+    /// [`first_hit`].
+    #[must_use]
+    pub fn find(&self, x: f64, y: f64, towards: DVec3) -> f64 {
+        let Self { field, relief } = *self;
+        if towards.z <= 0.0 || relief.thickness == 0.0 {
+            return 0.0;
+        }
+        let ray = DepthRay::new((towards.x / towards.z, towards.y / towards.z), relief, field.grid().spacing);
+        let depth = |column: i64, row: i64| relief.depth(f64::from(field.texel(column, row)));
+        let mut crossings = Crossings::new(ray, (x, y));
+        crossings.find_map(|crossing| hit(&crossing, depth)).unwrap_or(ray.deepest())
+    }
 }
 
 /// The first hit on the way through a cell.

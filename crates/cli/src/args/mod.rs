@@ -2,6 +2,7 @@
 
 mod bake;
 mod dump;
+mod render;
 mod words;
 
 use std::path::PathBuf;
@@ -13,7 +14,8 @@ pub(crate) use self::dump::{
     ColouredBy, CurvatureDumpArguments, DumpArguments, DumpFormat, MeshPictureArguments, TextureDumpArguments,
     UpAxisName,
 };
-use self::words::{elevation, finite, not_negative};
+pub(crate) use self::render::{BaseName, RenderArguments, SearchName, StartName};
+use self::words::not_negative;
 
 /// Bakes relief and the curvature of meshes into tables that a shader can read.
 #[derive(Debug, Parser)]
@@ -49,7 +51,7 @@ pub(crate) enum Command {
     Validate(FileArguments),
     /// Compare two .barchan files value by value
     Compare(CompareArguments),
-    /// Draw the height field lit by a sun, with its horizon shadows
+    /// Draw the height field lit by a sun, from above with its horizon shadows, or from a side by relief mapping
     Render(RenderArguments),
 }
 
@@ -84,32 +86,4 @@ pub(crate) struct CompareArguments {
     /// 1 / length unit for curvatures
     #[arg(long, value_name = "VALUE", default_value_t = 0.0, allow_hyphen_values = true, value_parser = not_negative)]
     pub(crate) tolerance: f64,
-}
-
-#[derive(Debug, Args)]
-#[command(after_help = "Examples:
-  barchan render dunes.barchan -o dunes.png
-  barchan render dunes.barchan --azimuth 135 --elevation 10 --compare -o check.png
-  barchan render dunes.barchan --ambient -o overcast.png")]
-pub(crate) struct RenderArguments {
-    /// The .barchan file; it needs the height table, and that of the horizon or, with --ambient, of the sky
-    pub(crate) file: PathBuf,
-    /// Where to write the PNG
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: PathBuf,
-    /// Where the sun stands, in degrees counter-clockwise from +u (the right of the picture)
-    #[arg(long, value_name = "DEGREES", default_value_t = 135.0, allow_hyphen_values = true, value_parser = finite)]
-    pub(crate) azimuth: f64,
-    /// How high it stands, in degrees above the base plane
-    #[arg(long, value_name = "DEGREES", default_value_t = 20.0, allow_hyphen_values = true, value_parser = elevation)]
-    pub(crate) elevation: f64,
-    /// Pixels per texel
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=64))]
-    pub(crate) scale: u32,
-    /// Put a ray-traced shadow and the difference beside it: red is too dark, blue too light
-    #[arg(long)]
-    pub(crate) compare: bool,
-    /// Light it by an overcast sky instead of a sun; the file needs sky_visibility, and uses bent_normal
-    #[arg(long, conflicts_with_all = ["azimuth", "elevation", "compare"])]
-    pub(crate) ambient: bool,
 }

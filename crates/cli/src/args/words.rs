@@ -122,6 +122,10 @@ pub(super) fn elevation(text: &str) -> Result<f64, String> {
     number(text, "-90 to 90 degrees", |value| (-90.0..=90.0).contains(&value))
 }
 
+pub(super) fn above_horizon(text: &str) -> Result<f64, String> {
+    number(text, "more than 0, up to 90 degrees", |value| value > 0.0 && value <= 90.0)
+}
+
 fn number(text: &str, accepted: &str, accepts: impl Fn(f64) -> bool) -> Result<f64, String> {
     text.trim().parse().ok().filter(|&value| accepts(value)).ok_or_else(|| format!("accepted: {accepted}"))
 }

@@ -1,5 +1,9 @@
 //! `barchan render`: a picture that shows at once whether a bake is right.
 
+mod relief;
+mod relief_report;
+mod search;
+
 use barchan_asset::{BentNormalView, HeightView, HorizonView, SkyVisibilityView};
 use barchan_metrics::{MaskDisagreement, signed_colour};
 use barchan_pipeline::Table;
@@ -51,6 +55,9 @@ pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json
             "the file has the curvature of a mesh alone; a picture needs the relief of a height map, and `dump --format png` \
              draws the mesh in colour",
         ));
+    }
+    if let Some(eye) = arguments.view.eye() {
+        return relief::run(&file, arguments, eye, progress, json);
     }
     if arguments.ambient {
         return ambient(&file, arguments, json);
@@ -225,17 +232,22 @@ impl Comparison {
     }
 }
 
-/// Red where the horizon map is too dark, blue where it is too light, white where it agrees with a lit truth and grey
-/// where it agrees with a dark one.
+/// Where a mask and the truth differ, pixel by pixel.
 fn difference(pixels: &Pixels, mask: &[bool], truth: &[bool]) -> Picture {
+    let colours = mask.iter().zip(truth).map(|(&mask, &truth)| agreement_colour(mask, truth));
+    Picture { width: pixels.width, height: pixels.height, rgb: colours.flatten().collect() }
+}
+
+/// Red where a shadow mask is too dark, blue where it is too light, white where it agrees with a lit truth and grey
+/// where it agrees with a dark one.
+fn agreement_colour(mask: bool, truth: bool) -> [u8; 3] {
     const AGREED_SHADOW: [u8; 3] = [205; 3];
-    let colours = mask.iter().zip(truth).map(|(mask, truth)| match (mask, truth) {
+    match (mask, truth) {
         (true, false) => signed_colour(1.0),
         (false, true) => signed_colour(-1.0),
         (true, true) => AGREED_SHADOW,
         (false, false) => signed_colour(0.0),
-    });
-    Picture { width: pixels.width, height: pixels.height, rgb: colours.flatten().collect() }
+    }
 }
 
 fn describe(report: &Report) -> String {
