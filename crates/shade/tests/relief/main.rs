@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod baked;
 mod depth_map;
 mod extremes;
 mod rays;
