@@ -119,9 +119,7 @@ fn records(block: Block, scale: Scale, cores: usize) -> Result<Vec<Record>> {
         Block::ReliefSearch => searches(scale, cores),
         Block::ReliefStart => starts(scale, cores),
         Block::HemisphereOcclusion => occlusions(scale, cores),
-        Block::HemisphereSpeed => {
-            Ok(hemisphere_speed::measure(&hemisphere_speed::study(scale, cores), &mut announce)?)
-        }
+        Block::HemisphereSpeed => Ok(hemisphere_speed::measure(&hemisphere_speed::study(scale, cores), &mut announce)?),
     }
 }
 

@@ -218,7 +218,10 @@ mod tests {
     #[test]
     fn a_point_alone_is_seen() {
         let curve = |points: Vec<(f64, f64)>| Curve { name: String::new(), points };
-        let svg = |points| LineChart { title: String::new(), across: String::new(), up: String::new(), curves: vec![curve(points)] }.svg();
+        let svg = |points| {
+            LineChart { title: String::new(), across: String::new(), up: String::new(), curves: vec![curve(points)] }
+                .svg()
+        };
         assert_eq!(svg(vec![(1.0, 2.0)]).unwrap().matches("<circle").count(), 1);
         assert_eq!(svg(vec![(1.0, 2.0), (2.0, 3.0)]).unwrap().matches("<circle").count(), 0);
     }

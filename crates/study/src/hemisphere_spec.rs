@@ -47,6 +47,8 @@ pub(crate) enum Layers<'a> {
     All,
     /// Those that rays at these angles from the normal, in degrees, ask for.
     AtAngles(&'a [f64]),
+    /// Those of the azimuths, in degrees, besides.
+    AtAnglesAnd(&'a [f64], &'a [f64]),
 }
 
 impl HemisphereSpec {
@@ -89,8 +91,7 @@ impl HemisphereSpec {
 
     /// As records have it.
     pub(crate) fn setting(&self) -> Setting {
-        let spacing =
-            if self.spacing == RingSpacing::EqualAngles { "equal_angles" } else { "squared_tangents" };
+        let spacing = if self.spacing == RingSpacing::EqualAngles { "equal_angles" } else { "squared_tangents" };
         Setting::default()
             .with("mode", self.mode_name())
             .with("size", self.size)
@@ -143,6 +144,12 @@ impl Layers<'_> {
             Self::AtAngles(angles) => {
                 let (ring, _) = directions.ring_and_azimuth(layer);
                 angles.iter().any(|angle| directions.ring_of_tangent(libm::tan(angle.to_radians())) == Some(ring))
+            }
+            Self::AtAnglesAnd(angles, azimuths) => {
+                let (_, azimuth) = directions.ring_and_azimuth(layer);
+                let have = |degrees: &f64| directions.azimuth_cell(degrees.to_radians()) == Some(azimuth);
+                // Straight from above there is no azimuth, and the first cell is asked.
+                Self::AtAngles(angles).have(directions, layer) && (azimuth == 0 || azimuths.iter().any(have))
             }
         }
     }

@@ -4,7 +4,7 @@
 //! # What is timed
 //!
 //! A baker made and its layers baked, without encoding, on the fractal relief in the default directions. But for the promise
-//! only every seventh layer is baked: seven has no factor in common with 16 azimuths, so every azimuth and every part of the
+//! only one layer of 23 is baked: 23 has no factor in common with 16 azimuths, so every azimuth and every part of the
 //! rings has its share. A ray is one texel of the height map in one direction, whatever the mode and the size of the table:
 //! the same map is as many rays, and what differs is the time.
 
@@ -21,7 +21,7 @@ use crate::timer::{Contestant, Pace, Spread, Timing, race};
 use crate::{Item, Record, Scale, Scene, Setting, Stopwatch, StudyError, reliefs};
 
 /// Of this many layers one is baked.
-const EVERY: usize = 7;
+const EVERY: usize = 23;
 
 /// The relief that is baked.
 const RELIEF: &str = "fractal";
@@ -52,10 +52,15 @@ pub struct Speed {
 #[must_use]
 pub fn study(scale: Scale, cores: usize) -> Speed {
     match scale {
-        Scale::Full => {
-            Speed { texels: [128, 256, 512], sizes: &[16, 32, 64, 128, 256], cores, pace: Pace { seconds: 6.0, max_rounds: 5 } }
+        Scale::Full => Speed {
+            texels: [128, 256, 512],
+            sizes: &[16, 32, 64, 128],
+            cores,
+            pace: Pace { seconds: 4.0, max_rounds: 5 },
+        },
+        Scale::Quick => {
+            Speed { texels: [8, 16, 24], sizes: &[2, 4, 8], cores, pace: Pace { seconds: 0.0, max_rounds: 1 } }
         }
-        Scale::Quick => Speed { texels: [8, 16, 32], sizes: &[4, 8, 16], cores, pace: Pace { seconds: 0.0, max_rounds: 1 } },
     }
 }
 
@@ -66,7 +71,8 @@ pub fn study(scale: Scale, cores: usize) -> Speed {
 pub fn measure(study: &Speed, observe: &mut Observer<'_>) -> Result<Vec<Record>, StudyError> {
     let mut records = Vec::new();
     for (varied, cases) in [("texels", study.by_texels()), ("size", study.by_size()), ("threads", study.by_threads())] {
-        let cases: Vec<Case> = MODES.into_iter().flat_map(|mode| cases.iter().map(move |case| Case { mode, varied, ..*case })).collect();
+        let cases: Vec<Case> =
+            MODES.into_iter().flat_map(|mode| cases.iter().map(move |case| Case { mode, varied, ..*case })).collect();
         records.extend(study.race(&cases, observe)?);
     }
     for (done, mode) in MODES.into_iter().enumerate() {
@@ -84,7 +90,7 @@ impl Speed {
     }
 
     fn by_texels(&self) -> Vec<Case> {
-        self.texels.iter().map(|&texels| Case { texels, size: self.sizes[1], ..self.middle() }).collect()
+        self.texels.iter().map(|&texels| Case { texels, ..self.middle() }).collect()
     }
 
     fn by_size(&self) -> Vec<Case> {
@@ -166,8 +172,8 @@ mod tests {
     #[test]
     fn the_promise_is_of_all_directions_and_is_kept_in_seconds() {
         let record = study(Scale::Quick, 1).promise(DepthMode::Nearest).unwrap();
-        assert_eq!((record.setting.get("layers"), record.width), (Some("512"), 32));
-        let rays = 32.0 * 32.0 * 512.0;
+        assert_eq!((record.setting.get("layers"), record.width), (Some("512"), 24));
+        let rays = 24.0 * 24.0 * 512.0;
         assert!((record.wall_ns.unwrap() * rays * 1e-9 / record.bake_seconds.unwrap() - 1.0).abs() < 1e-9);
     }
 }

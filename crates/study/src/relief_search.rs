@@ -113,8 +113,9 @@ pub fn measure(study: &Searches<'_>, scenes: &[Scene], observe: &mut Observer<'_
 
 impl Searches<'_> {
     fn bake(&self, scene: &Scene) -> Result<Stored, StudyError> {
-        let hemisphere =
-            |spec: HemisphereSpec| HemisphereSpec { size: self.size, ..spec }.bake(&scene.field, Layers::All, self.exec);
+        let hemisphere = |spec: HemisphereSpec| {
+            HemisphereSpec { size: self.size, ..spec }.bake(&scene.field, Layers::All, self.exec)
+        };
         let searches = Search::ALL.map(|search| StoredSearch::bake(search, &scene.field, self.exec));
         Ok(Stored {
             searches: searches.into_iter().collect::<Result<_, _>>()?,
@@ -171,7 +172,8 @@ impl Stored {
                 records.push(seeker.judge(Record::new("relief_sweep", setting, scene), sights));
             }
         }
-        for search in self.searches.iter().filter(|search| matches!(search.search, Search::Cones | Search::MaximumMip)) {
+        for search in self.searches.iter().filter(|search| matches!(search.search, Search::Cones | Search::MaximumMip))
+        {
             let seeker = Seeker { search: search.of(relief)?, start: self.start(relief, Feed::Conservative)? };
             let method = Method { search: search.search, feed: Feed::Conservative };
             records.push(seeker.judge(Record::new("relief_sweep", setting(method, SWEPT_ELEVATION), scene), sights));
@@ -189,51 +191,54 @@ fn setting(method: Method, elevation: f64) -> Setting {
 mod tests {
     use super::*;
 
-    fn records() -> Vec<Record> {
+    /// Of one relief.
+    fn records(name: &str) -> Vec<Record> {
         let exec = Exec::new(1).unwrap();
-        let (study, scenes) = parts(Scale::Quick, &exec).unwrap();
+        let (study, mut scenes) = parts(Scale::Quick, &exec).unwrap();
+        scenes.retain(|scene| scene.name == name);
         measure(&study, &scenes, &mut |_| ()).unwrap()
     }
 
-    fn of<'a>(records: &'a [Record], words: &'a str) -> impl Iterator<Item = &'a Record> {
-        records.iter().filter(move |record| record.technique != "relief_sweep" && record.setting.to_string().starts_with(words))
+    fn of<'a>(records: &'a [Record], technique: &'a str, words: &'a str) -> impl Iterator<Item = &'a Record> {
+        let is = move |record: &&Record| record.technique == technique && record.setting.to_string().starts_with(words);
+        records.iter().filter(is)
     }
 
     #[test]
-    fn what_knows_free_space_misses_nothing_wherever_it_safely_starts() {
-        let records = records();
+    fn what_knows_free_space_misses_nothing_and_what_steps_loses_features_seen_from_the_side() {
+        let records = records("white_noise");
         for search in ["cone_steps", "maximum_mip"] {
             for start in ["top", "conservative"] {
                 let words = format!("search={search} start={start}");
-                assert_eq!(of(&records, &words).count(), 20);
-                assert!(of(&records, &words).all(|record| record.max < Some(1e-5)), "{words}");
+                assert_eq!(of(&records, "relief_search", &words).count(), ELEVATIONS.len());
+                assert!(of(&records, "relief_search", &words).all(|record| record.max < Some(1e-5)), "{words}");
             }
         }
+        let mut lost = of(&records, "relief_search", "search=linear start=top elevation=15");
+        assert!(lost.any(|record| record.wrong_share > Some(0.0)));
     }
 
     #[test]
-    fn a_linear_search_loses_features_seen_from_the_side() {
-        let records = records();
-        let seen = of(&records, "search=linear start=top elevation=15");
-        assert!(seen.filter(|record| record.wrong_share > Some(0.0)).count() > 0);
-    }
-
-    #[test]
-    fn a_search_that_starts_lower_looks_at_less_and_weighs_more() {
-        let records = records();
-        let fetches = |words| of(&records, words).filter_map(|record| record.height_fetches).sum::<f64>();
+    fn a_search_that_starts_lower_looks_at_less_and_weighs_more_and_only_starts_of_other_rays_fail() {
+        let records = records("fractal");
+        let fetches =
+            |words| of(&records, "relief_search", words).filter_map(|record| record.height_fetches).sum::<f64>();
         assert!(fetches("search=linear start=conservative") < fetches("search=linear start=top"));
-        assert!(of(&records, "search=linear start=top").all(|record| record.bytes == Some(0)));
-        assert!(of(&records, "search=linear start=conservative").all(|record| record.bytes == Some(8 * 8 * 512)));
-    }
-
-    #[test]
-    fn only_starts_of_other_rays_are_behind_their_hits() {
-        let records = records();
-        let behind = |start| {
-            of(&records, start).filter(|record| record.technique == "start_faults").filter_map(|record| record.wrong_share).sum::<f64>()
-        };
+        let weighs = |words, bytes| of(&records, "relief_search", words).all(|record| record.bytes == Some(bytes));
+        assert!(weighs("search=linear start=top", 0) && weighs("search=linear start=conservative", 8 * 8 * 512));
+        let behind = |words| of(&records, "start_faults", words).filter_map(|record| record.wrong_share).sum::<f64>();
         assert_eq!((behind("start=top"), behind("start=conservative")), (0.0, 0.0));
         assert!(behind("start=nearest") > 0.0);
+    }
+
+    #[test]
+    fn more_steps_are_more_fetches_and_exact_searches_stand_beside_them() {
+        let records = records("fractal");
+        let linear: Vec<f64> = of(&records, "relief_sweep", "search=linear start=top")
+            .filter_map(|record| record.height_fetches)
+            .collect();
+        assert_eq!(linear.len(), SWEPT_STEPS.len());
+        assert!(linear.windows(2).all(|pair| pair[0] < pair[1]));
+        assert_eq!(of(&records, "relief_sweep", "search=cone_steps start=conservative").count(), 1);
     }
 }

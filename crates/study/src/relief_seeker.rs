@@ -28,7 +28,8 @@ impl Seeker<'_> {
         let errors: Vec<f64> = found.iter().zip(sights).map(|(found, sight)| found.depth - sight.hit).collect();
         let count = sights.len() as f64;
         let missed = errors.iter().filter(|error| **error > TOLERANCE).count();
-        let mean = |fetches: fn(&Found) -> u32| found.iter().map(|found| f64::from(fetches(found))).sum::<f64>() / count;
+        let mean =
+            |fetches: fn(&Found) -> u32| found.iter().map(|found| f64::from(fetches(found))).sum::<f64>() / count;
         Record {
             wrong_share: Some(missed as f64 / count),
             height_fetches: Some(mean(|found| found.fetches.heights)),

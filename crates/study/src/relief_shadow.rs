@@ -25,11 +25,12 @@ pub(crate) fn records(
     (scene, relief): (&Scene, &Relief<'_>),
     cones: &dyn ReliefSearch,
 ) -> Result<Vec<Record>, StudyError> {
-    let middle = study.sizes[study.sizes.len() / 2];
+    let size = study.sizes.last().copied().unwrap_or(1);
     let baked = |spec: HemisphereSpec| {
-        HemisphereSpec { size: middle, ..spec }.bake(&scene.field, Layers::AtAngles(&LIGHTS), study.exec)
+        HemisphereSpec { size, ..spec }.bake(&scene.field, Layers::AtAngles(&LIGHTS), study.exec)
     };
-    let (nearest, conservative) = (baked(HemisphereSpec::paper(MAX_POLAR))?, baked(HemisphereSpec::conservative(MAX_POLAR))?);
+    let (nearest, conservative) =
+        (baked(HemisphereSpec::paper(MAX_POLAR))?, baked(HemisphereSpec::conservative(MAX_POLAR))?);
     let (nearest, conservative) = (nearest.start(relief)?, conservative.start(relief)?);
     let (traced, linear) = (TracedRelief::new(relief), LinearSearch::new(relief, STEPS, BISECTIONS));
     let roads: [(&str, ReliefRoad<'_>); 3] = [
@@ -50,7 +51,9 @@ pub(crate) fn records(
             let found = decide(&shadow(road));
             let wrong = found.iter().zip(&expected).filter(|(found, expected)| found.in_shadow != expected.in_shadow);
             let count = found.len() as f64;
-            let mean = |of: fn(&ShadowAnswer) -> u32| Some(found.iter().map(|found| f64::from(of(found))).sum::<f64>() / count);
+            let mean = |of: fn(&ShadowAnswer) -> u32| {
+                Some(found.iter().map(|found| f64::from(of(found))).sum::<f64>() / count)
+            };
             let setting = Setting::default().with("road", name).with("angle", angle);
             records.push(Record {
                 quantity: Some(Quantity::ReliefShadow),

@@ -52,7 +52,8 @@ fn occlusion(records: &[&Record]) -> String {
         let truth = find(&on(records, scene), &[("by", "traced")]).and_then(|record| record.mean);
         format!("{} (mean {})", relief(scene), or_none(truth, short))
     });
-    let mut table = Table::new(["depths".to_owned()].into_iter().chain(titles).chain(["fetches", "time"].map(str::to_owned)));
+    let mut table =
+        Table::new(["depths".to_owned()].into_iter().chain(titles).chain(["fetches", "time"].map(str::to_owned)));
     for way in ways(records) {
         let found: Vec<Option<&Record>> = scenes.iter().map(|scene| find(&on(records, scene), &way)).collect();
         let cells = found.iter().map(|record| {

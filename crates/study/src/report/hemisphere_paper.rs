@@ -78,7 +78,9 @@ fn claimed(records: &[&Record]) -> String {
         let of: Vec<&Record> = records.iter().filter(|record| claim.is_about(record)).copied().collect();
         let all = of.iter().filter(|record| word(record, "at") == "baseline").count();
         let cell = |(start, at, _): (&str, &str, &str)| match sums(&of, claim.kind, (start, at)) {
-            Some(sums) if sums.views < all => format!("{} ({} of {all} views)", claim.kind.words(sums.ratio), sums.views),
+            Some(sums) if sums.views < all => {
+                format!("{} ({} of {all} views)", claim.kind.words(sums.ratio), sums.views)
+            }
             Some(sums) => claim.kind.words(sums.ratio),
             None => NONE.to_owned(),
         };
@@ -148,12 +150,22 @@ fn views(records: &[&Record]) -> String {
     let mut table = Table::new(header);
     let shown = |record: &&&Record| word(record, "at") == "baseline" && word(record, "part") != "sizes";
     for view in records.iter().filter(shown) {
-        let first = format!("{}, {}, {}, {}", steps(view), depth(view.rms), or_none(view.height_fetches, short), time(view));
-        let own: Vec<&Record> =
-            records.iter().filter(|record| baseline(records, record).is_some_and(|of| std::ptr::eq(of, *view))).copied().collect();
+        let first =
+            format!("{}, {}, {}, {}", steps(view), depth(view.rms), or_none(view.height_fetches, short), time(view));
+        let own: Vec<&Record> = records
+            .iter()
+            .filter(|record| baseline(records, record).is_some_and(|of| std::ptr::eq(of, *view)))
+            .copied()
+            .collect();
         let cells = COLUMNS.map(|(start, at, _)| {
             let record = own.iter().find(|record| has(record, &[("start", start), ("at", at)]))?;
-            Some(format!("{}, {}, {}, {}", steps(record), depth(record.rms), or_none(fetches(record), short), time(record)))
+            Some(format!(
+                "{}, {}, {}, {}",
+                steps(record),
+                depth(record.rms),
+                or_none(fetches(record), short),
+                time(record)
+            ))
         });
         let cells = cells.map(|cell| cell.unwrap_or(NONE.to_owned()));
         table.push([name(view), first].into_iter().chain(cells).collect());
@@ -192,7 +204,9 @@ mod tests {
 
     #[test]
     fn claims_stand_beside_sums_over_the_views_that_reach_an_equal_error() {
-        let of = |angle: u32, start: &str, at: &str| format!("part=sizes size=32 angle={angle} start={start} at={at} steps=64");
+        let of = |angle: u32, start: &str, at: &str| {
+            format!("part=sizes size=32 angle={angle} start={start} at={at} steps=64")
+        };
         let records = vec![
             record("part=sphere size=64 start=top at=baseline steps=64", 40.0, 300.0),
             record("part=sphere size=64 start=nearest at=equal_step steps=64", 30.0, 150.0),

@@ -79,6 +79,9 @@ mod tests {
         let text = render(&RecordFile { machine: "a box".to_owned(), records });
         assert!(text.contains("| 512² heights to 64² depths, 1 thread | 10.0 | 5.00 |\n"), "{text}");
         assert!(text.contains("| 512² heights to 64² depths, 2 threads, all directions | 20.0 | 10.0 |\n"), "{text}");
-        assert!(text.contains("nearest 50.0 s, conservative 100 s, which breaks the promise. Measured on a box."), "{text}");
+        assert!(
+            text.contains("nearest 50.0 s, conservative 100 s, which breaks the promise. Measured on a box."),
+            "{text}"
+        );
     }
 }

@@ -8,11 +8,19 @@ use crate::{Record, RecordFile};
 /// The reliefs whose fetches are shown.
 const SHOWN: [&str; 2] = ["fractal", "spikes"];
 
-/// What an early experiment found, on other reliefs of these kinds: mean fetches of conservative depths with cone steps, and
-/// of cone steps alone, at 10, 35, 60 and 75°.
-const EXPERIMENT: [(&str, [[f64; 4]; 2]); 2] = [
-    ("fractal", [[3.9, 6.7, 16.0, 54.0], [14.0, 48.0, 108.0, 203.0]]),
-    ("spikes", [[3.1, 7.1, 20.0, 49.0], [6.7, 17.0, 33.0, 60.0]]),
+/// The searches that go on from tables, as records and as the table have them.
+const SEARCHES: [(&str, &str); 2] = [("cone_steps", "cone steps"), ("maximum_mip", "maximum mip")];
+
+/// Mean fetches at 10, 35, 60 and 75°.
+type Fetched = [f64; 4];
+
+/// What an early experiment found on other reliefs of these kinds.
+const EXPERIMENT: [(&str, [(&str, Fetched); 2]); 2] = [
+    (
+        "fractal",
+        [("conservative depths, cone steps", [3.9, 6.7, 16.0, 54.0]), ("cone steps", [14.0, 48.0, 108.0, 203.0])],
+    ),
+    ("spikes", [("conservative depths, cone steps", [3.1, 7.1, 20.0, 49.0]), ("cone steps", [6.7, 17.0, 33.0, 60.0])]),
 ];
 
 /// The table that others differ from by one thing.
@@ -43,34 +51,32 @@ fn saved(records: &[&Record]) -> String {
     let angles = angles(records);
     let titles = angles.iter().map(|angle| format!("{angle}°"));
     let mut table = Table::new(["mean fetches, angle from the normal".to_owned()].into_iter().chain(titles));
-    let mut push = |name: String, cells: &mut dyn Iterator<Item = String>| {
-        table.push([name].into_iter().chain(cells).collect());
-    };
     for scene in SHOWN {
+        let mut push = |name: String, cell: &dyn Fn(usize, &str) -> String| {
+            let cells = angles.iter().enumerate().map(|(index, angle)| cell(index, angle));
+            table.push([format!("{scene}: {name}")].into_iter().chain(cells).collect());
+        };
         let (searches, starts) = (of(records, "relief_search", scene), of(records, "relief_start", scene));
-        let at = |words: &[(&str, &str)], angle: &str| {
-            let words: Vec<_> = words.iter().copied().chain([("angle", angle)]).collect();
+        let at = |words: &[(&str, &str)], search: &str, angle: &str| {
+            let words = [words, &[("search", search), ("angle", angle)]].concat();
             or_none(find(&searches, &words).and_then(fetches), short)
         };
-        let experiment = EXPERIMENT.iter().find(|(name, _)| *name == scene).map(|(_, rows)| rows);
-        let ways = [("conservative depths, cone steps", &DEFAULT[..]), ("cone steps", &[("search", "cone_steps")])];
-        for (index, (name, words)) in ways.into_iter().enumerate() {
-            push(format!("{scene}: {name}"), &mut angles.iter().map(|angle| at(words, angle)));
-            if let Some(rows) = experiment {
-                push(format!("{scene}: {name}, the experiment"), &mut rows[index].iter().map(|fetches| short(*fetches)));
-            }
+        for (search, name) in SEARCHES {
+            push(format!("conservative depths, {name}"), &|_, angle| at(&DEFAULT, search, angle));
         }
-        push(
-            format!("{scene}: 64 linear steps, bisection"),
-            &mut angles.iter().map(|angle| at(&[("search", "linear")], angle)),
-        );
-        push(format!("{scene}: depth of the start, of the hit"), &mut angles.iter().map(|angle| {
-            let mean = |words: &[(&str, &str)]| {
-                let words: Vec<_> = words.iter().copied().chain([("angle", *angle)]).collect();
-                or_none(find(&starts, &words).and_then(|record| record.mean), |depth| format!("{depth:.3}"))
-            };
-            format!("{}, {}", mean(&DEFAULT), mean(&[("mode", "true")]))
-        }));
+        for (search, name) in SEARCHES.into_iter().chain([("linear", "64 linear steps, bisection")]) {
+            push(name.to_owned(), &|_, angle| at(&[("mode", "top")], search, angle));
+        }
+        for (name, found) in EXPERIMENT.iter().filter(|(of, _)| *of == scene).flat_map(|(_, rows)| rows) {
+            push(format!("the experiment's {name}"), &|index, _| or_none(found.get(index).copied(), short));
+        }
+        let mean = |words: &[(&str, &str)], angle: &str| {
+            let words = [words, &[("angle", angle)]].concat();
+            or_none(find(&starts, &words).and_then(|record| record.mean), |depth| format!("{depth:.3}"))
+        };
+        push("depth of the start, of the hit".to_owned(), &|_, angle| {
+            format!("{}, {}", mean(&DEFAULT, angle), mean(&[("mode", "true")], angle))
+        });
     }
     table.render()
 }
@@ -83,13 +89,14 @@ fn varied(records: &[&Record]) -> String {
     let mut table = Table::new(header);
     let angles = angles(records);
     let tables = records.iter().filter(|record| record.setting.get("size").is_some());
-    for name in distinct(tables.map(|record| record.setting.without("angle").to_string())) {
-        let own: Vec<&Record> =
-            records.iter().filter(|record| record.setting.without("angle").to_string() == name).copied().collect();
+    for name in distinct(tables.map(|record| table_of(record))) {
+        let own: Vec<&Record> = records.iter().filter(|record| table_of(record) == name).copied().collect();
         let bytes = own.first().and_then(|record| record.bytes);
         let fetched = SHOWN.map(|scene| {
             let searches = of(&own, "relief_search", scene);
-            let cells = angles.iter().map(|angle| or_none(find(&searches, &[("angle", angle)]).and_then(fetches), short));
+            let cells = angles.iter().map(|angle| {
+                or_none(find(&searches, &[("search", "cone_steps"), ("angle", angle)]).and_then(fetches), short)
+            });
             cells.collect::<Vec<_>>().join(" / ")
         });
         let wrong = ["relief_start", "relief_search"].map(|technique| {
@@ -106,6 +113,11 @@ fn varied(records: &[&Record]) -> String {
         angles.join(" / "),
         table.render()
     )
+}
+
+/// The words of a record's setting that say which table it is of.
+fn table_of(record: &Record) -> String {
+    record.setting.without("angle").without("search").to_string()
 }
 
 fn title(record: &Record) -> String {
@@ -157,18 +169,19 @@ mod tests {
 
     #[test]
     fn tables_name_what_differs_and_overshoots_are_counted() {
-        let default = "mode=conservative size=64 rings=32 azimuths=16 spacing=squared_tangents encoding=compact angle=10";
+        let default =
+            "mode=conservative size=64 rings=32 azimuths=16 spacing=squared_tangents encoding=compact angle=10";
         let nearest = "mode=nearest size=16 rings=16 azimuths=32 spacing=equal_angles encoding=f16 angle=10";
         let records = vec![
             record("relief_start", "mode=true angle=10", 0.5, 0.0),
             record("relief_start", default, 0.25, 0.003),
-            record("relief_search", default, 0.0, 0.0),
-            record("relief_search", nearest, 0.0, 0.02),
+            record("relief_search", &format!("{default} search=cone_steps"), 0.0, 0.0),
+            record("relief_search", &format!("{nearest} search=cone_steps"), 0.0, 0.02),
         ];
         let text = render(&RecordFile { machine: String::new(), records });
         for line in [
             "| fractal: conservative depths, cone steps | 3.50 |\n",
-            "| fractal: conservative depths, cone steps, the experiment | 3.90 | 6.70 | 16.0 | 54.0 |\n",
+            "| fractal: the experiment's cone steps | 14.0 |\n",
             "| fractal: depth of the start, of the hit | 0.250, 0.500 |\n",
             "| conservative, 64² | 2.00 | 3.50 | – | 0.30 % | 0.00 % |\n",
             "| nearest, 16², 16 × 32, equal angles, f16 | 2.00 | 3.50 | – | – | 2.00 % |\n",

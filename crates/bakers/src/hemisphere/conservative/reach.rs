@@ -56,9 +56,9 @@ impl Reach {
         for piece in self.sector.pieces(depths) {
             // A row of cells sees ways so much above it and so much below.
             let (above, below) = (f64::from(rows) - 0.5 + self.margin.1, 1.5 + self.margin.1);
-            let (top, bottom) = piece.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(top, bottom), &(_, row)| {
-                (top.min(row), bottom.max(row))
-            });
+            let (top, bottom) = piece
+                .iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(top, bottom), &(_, row)| (top.min(row), bottom.max(row)));
             let reached = (top - below).ceil() as i64..=(bottom + above).floor() as i64;
             if self.is_too_far(&piece) {
                 return self.everything();

@@ -52,9 +52,9 @@ impl Sector {
         let inner = depths.start * self.tangents.start;
         let outer = depths.end * self.tangents.end * self.bulge;
         let at = |(x, y): (f64, f64), radius: f64| (radius * x, radius * y);
-        self.borders.windows(2).map(move |border| {
-            [at(border[0], inner), at(border[0], outer), at(border[1], outer), at(border[1], inner)]
-        })
+        self.borders
+            .windows(2)
+            .map(move |border| [at(border[0], inner), at(border[0], outer), at(border[1], outer), at(border[1], inner)])
     }
 }
 
@@ -66,4 +66,3 @@ fn tangents(directions: &HemisphereDirections, ring: u32) -> Range<f64> {
     let beyond = if ring + 1 < directions.rings { edge(ring + 2) - outer } else { 2.0 * (outer - inner) };
     (inner - MARGIN * (outer - inner)).max(0.0)..outer + MARGIN * beyond
 }
-
