@@ -26,6 +26,7 @@ fn recipe() -> Recipe {
     recipe.spacing = Spacing::new(0.5, 0.75).unwrap();
     (recipe.edge, recipe.unit) = (Edge::Wrap, Some(LengthUnit::Metre));
     (recipe.horizon.directions, recipe.horizon.radius) = (DIRECTIONS, Some(RADIUS));
+    (recipe.hemisphere.rings, recipe.hemisphere.azimuths, recipe.hemisphere.size) = (3, 4, Some((12, 9)));
     recipe
 }
 
@@ -214,6 +215,10 @@ fn what_is_left_out_is_weighed() {
         ("sky_visibility", texels),
         ("bent_normal", 2 * texels),
         ("aperture_cone", 4 * texels),
+        ("hemisphere", 12 * 9 * 3 * 4),
+        ("cone_map", 2 * texels),
+        ("relaxed_cone_map", 2 * texels),
+        ("maximum_mip", 2 * (texels + 12 * 10 + 6 * 5 + 3 * 2 + 1)),
     ];
     assert_eq!(left_out, expected);
 }
@@ -407,11 +412,13 @@ fn every_encoding_of_every_table_is_valid_and_keeps_its_bound() {
         let mut recipe = curved_recipe();
         (recipe.height.encoding, recipe.horizon.encoding, recipe.distance.encoding) = (encoding, encoding, encoding);
         (recipe.curved.encoding, recipe.sky.encoding) = (encoding, encoding);
+        (recipe.hemisphere.encoding, recipe.cone_map.encoding, recipe.maximum_mip.encoding) =
+            (encoding, encoding, encoding);
         let Baked { bytes, report } = baked(recipe, Some(&textures()));
         assert_eq!(validate(&bytes, &Limits::default()), []);
         let asset = Asset::open(&bytes).unwrap();
         let provenance = provenance(&asset);
-        assert_eq!((report.tables.len(), provenance.encodings.len()), (8, 8));
+        assert_eq!((report.tables.len(), provenance.encodings.len()), (12, 12));
         for (table, stored) in report.tables.iter().zip(&provenance.encodings) {
             assert_eq!((table.table, table.encoding_rms, table.encoding_max), (&*stored.table, stored.rms, stored.max));
             assert!(table.encoding_max <= table.worst_case_error, "{table:?}");

@@ -70,8 +70,8 @@ fn what_relief_mapping_cannot_be_is_said_with_what_it_can() {
     let words = |fields: &str| complaint(fields).split_once(": ").unwrap().1.to_owned();
     for (fields, expected) in [
         (
-            "scene: (relief_mapping: (search: binary))",
-            "unknown value `binary` (accepted: `cone_steps`, `relaxed_cone_steps`, `maximum_mip`, `linear`)",
+            "scene: (relief_mapping: (search: cones))",
+            "unknown value `cones` (accepted: `cone_steps`, `relaxed_cone_steps`, `maximum_mip`, `linear`)",
         ),
         ("hemisphere: (mode: bold)", "unknown value `bold` (accepted: `conservative`, `nearest`)"),
         ("hemisphere: (size: 64)", "`hemisphere.size` is `64`; a pair of numbers in parentheses is needed"),

@@ -71,6 +71,10 @@ impl Palette {
         sun: DVec3::new(0.78, 0.70, 0.58),
         sky: DVec3::new(0.07, 0.11, 0.20),
     };
+
+    /// The same sand under clouds: as bright in the open as level ground is in the sun.
+    pub const OVERCAST_SAND: Self =
+        Self { albedo: Self::SAND.albedo, sun: DVec3::ZERO, sky: DVec3::new(0.92, 0.96, 1.0) };
 }
 
 /// An 8-bit sRGB picture, three bytes a pixel, row by row from the top.
@@ -115,9 +119,7 @@ impl Picture {
     /// Lights a surface by an overcast sky alone.
     #[must_use]
     pub fn overcast(pixels: &Pixels, sky: &SkyLight, palette: &Palette) -> Self {
-        // As bright in the open as level ground is under the sun of [`Self::lit`].
-        const CLOUDS: DVec3 = DVec3::new(0.92, 0.96, 1.0);
-        let colours = pixels.map(|x, y| to_srgb(palette.albedo * CLOUDS * sky.irradiance(x, y)));
+        let colours = pixels.map(|x, y| to_srgb(palette.albedo * palette.sky * sky.irradiance(x, y)));
         Self { width: pixels.width, height: pixels.height, rgb: colours.into_flattened() }
     }
 

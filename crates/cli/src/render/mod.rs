@@ -118,7 +118,7 @@ fn ambient(file: &AssetFile, arguments: &RenderArguments, json: bool) -> Result<
         height: pixels.height,
         mean_visibility: shares.iter().sum::<f64>() / shares.len() as f64,
     };
-    output::write_whole(&arguments.output, &png::encode(&Picture::overcast(&pixels, &sky, &Palette::SAND))?)?;
+    output::write_whole(&arguments.output, &png::encode(&Picture::overcast(&pixels, &sky, &Palette::OVERCAST_SAND))?)?;
     console::present(&report, json, |report| {
         let AmbientReport { output, width, height, mean_visibility, .. } = report;
         let share = 100.0 * mean_visibility;

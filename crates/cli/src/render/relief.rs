@@ -1,12 +1,11 @@
 //! Relief seen from a side: every pixel by a relief ray.
 
-use barchan_asset::{DepthMode, HeightView};
+use barchan_asset::HeightView;
 use barchan_metrics::{MaskDisagreement, false_colour};
 use barchan_pipeline::Table;
 use barchan_shade::{
-    DepthMapStart, DirectionalLight, HemisphereOcclusion, HemisphereQuadrature, MAP_TOLERANCE, Palette, Picture,
-    Relief, ReliefLight, ReliefPixels, ReliefRoad, ReliefShadow, ReliefStage, SHADOW_TOLERANCE, StageEye, Surface,
-    TracedRelief, heat_map,
+    DepthMapStart, DirectionalLight, HemisphereOcclusion, HemisphereQuadrature, Palette, Picture, Relief, ReliefLight,
+    ReliefPixels, ReliefRoad, ReliefShadow, ReliefStage, SHADOW_TOLERANCE, StageEye, Surface, TracedRelief, heat_map,
 };
 
 use super::relief_report::{Comparison, Cost, Heat, Report, Sun};
@@ -21,6 +20,9 @@ use crate::progress::ProgressDisplay;
 
 /// What is farther off than that, as a part of the relief's depth, is another point of the relief.
 const SAME_POINT: f64 = 1.0 / 256.0;
+
+/// Rings and azimuths of the rays that look for the sky: of the same weight, so that few do.
+const OCCLUSION_DIRECTIONS: (u32, u32) = (8, 16);
 
 /// Where another point of the relief is seen.
 const OTHER_POINT: [u8; 3] = [0, 158, 115];
@@ -158,11 +160,10 @@ impl<'a> Scene<'a> {
     fn palette(&self) -> Palette {
         let sand = Palette::SAND;
         match self.arguments.view.on {
-            // As bright as an open sky is in a picture from above.
-            _ if self.arguments.ambient => Palette { sky: sand.sky * 8.0, ..sand },
+            _ if self.arguments.ambient => Palette::OVERCAST_SAND,
             // As pictures from above: level ground in the sun is as bright at dawn as at noon.
             BaseName::Plane => Palette { sun: sand.sun / self.sun().towards.z.max(0.12), ..sand },
-            BaseName::Sphere => Palette { sun: sand.sun * 1.2, ..sand },
+            BaseName::Sphere => sand,
         }
     }
 
@@ -180,14 +181,10 @@ impl<'a> Scene<'a> {
 
     /// What part of the sky's light every pixel lacks, where a depth map can tell.
     fn occlusion(&self, seen: &ReliefPixels<'_>) -> Option<Vec<f64>> {
-        let map = self.occlusion?;
-        let occlusion = if map.view().mode() == DepthMode::Conservative {
-            let road = ReliefRoad { depth_map: Some(map), search: self.road.search };
-            let shadow = ReliefShadow { relief: self.relief, road, tolerance: SHADOW_TOLERANCE };
-            HemisphereOcclusion::of_rays(HemisphereQuadrature::of_cells(&map.view().directions()), shadow)
-        } else {
-            HemisphereOcclusion::of_map(&self.relief, map, MAP_TOLERANCE)
-        };
+        let road = ReliefRoad { depth_map: Some(self.occlusion?), search: self.road.search };
+        let shadow = ReliefShadow { relief: self.relief, road, tolerance: SHADOW_TOLERANCE };
+        let (rings, azimuths) = OCCLUSION_DIRECTIONS;
+        let occlusion = HemisphereOcclusion::of_rays(HemisphereQuadrature::even(rings, azimuths), shadow);
         let mut rows = Rows::new(self.display, "occlusion", seen);
         Some(seen.map(&0.0, |pixel| {
             rows.step();

@@ -20,7 +20,7 @@ use super::{DepthMapStart, Fetches, HemisphereQuadrature, Relief, ReliefShadow};
 
 /// By how much of the relief's depth something must stand before a point to count in [`HemisphereOcclusion::of_map`], where nobody says
 /// otherwise.
-pub const MAP_TOLERANCE: f64 = 1.0 / 32.0;
+pub const MAP_TOLERANCE: f64 = 1.0 / 16.0;
 
 /// The occlusion of points of one relief.
 #[derive(Clone)]

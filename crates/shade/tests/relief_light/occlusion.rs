@@ -1,13 +1,16 @@
 //! The occlusion of points against closed forms.
 
-use barchan_asset::{Azimuths, HemisphereDirections, RingSpacing};
+use barchan_asset::{Azimuths, DepthMode, HemisphereDirections, RingSpacing};
 use barchan_field::Edge;
 use barchan_shade::{
-    HemisphereOcclusion, HemisphereQuadrature, Relief, ReliefRoad, ReliefShadow, Surface, TracedRelief,
+    DepthMapStart, HemisphereOcclusion, HemisphereQuadrature, MAP_TOLERANCE, Relief, ReliefRoad, ReliefShadow, Surface,
+    TracedRelief,
 };
 use glam::DVec3;
 
-use crate::support::{assert_near, field, fractal, places, surface};
+use crate::support::{
+    assert_near, cone_steps, directions, field, fractal, hemisphere, hemisphere_view, places, surface,
+};
 
 /// The traced occlusion of points on a surface, with its normals.
 fn traced(surface: &Surface, quadrature: HemisphereQuadrature, places: &[(f64, f64)]) -> Vec<f64> {
@@ -103,4 +106,59 @@ fn what_stands_on_one_side_darkens_what_faces_it() {
     let occlusion = HemisphereOcclusion::of_rays(HemisphereQuadrature::even(48, 48), shadow);
     let leaning = |x: f64| occlusion.at((36.0, 1.0), 1.0, DVec3::new(x, 0.0, 1.0).normalize()).share;
     assert!(leaning(0.5) > leaning(0.0) && leaning(0.0) > leaning(-0.5));
+}
+
+/// What a map alone has more than the traced occlusion of the same rays: mean and RMS.
+fn excess_of_map(size: u32) -> (f64, f64) {
+    let field = fractal(64);
+    let surface = surface(&field);
+    let relief = Relief::new(&surface);
+    let places: Vec<_> = places(120, 64).collect();
+    let depths = hemisphere(&field, size, DepthMode::Nearest);
+    let start = DepthMapStart::new(&relief, &hemisphere_view(&depths)).unwrap();
+    let occlusion = HemisphereOcclusion::of_map(&relief, &start, MAP_TOLERANCE);
+    let at = |&(x, y): &(f64, f64)| occlusion.at((x, y), relief.depth_at(x, y), surface.normal(x, y)).share;
+    let truth = traced(&surface, HemisphereQuadrature::of_rays(&directions()), &places);
+    excess(&truth, &places.iter().map(at).collect::<Vec<_>>())
+}
+
+#[test]
+fn a_map_as_fine_as_the_heights_knows_the_occlusion() {
+    let (mean, rms) = excess_of_map(64);
+    assert!(mean.abs() < 0.01 && rms < 0.03, "{mean} {rms}");
+}
+
+/// The least depth of a footprint is that of its highest corner, and on a slope the rest of it lies deeper.
+#[test]
+fn a_map_that_was_reduced_takes_slopes_for_shadows() {
+    let (mean, _) = excess_of_map(16);
+    assert!(mean > 0.3, "{mean}");
+}
+
+#[test]
+fn rays_from_a_conservative_map_give_the_traced_occlusion_for_fewer_fetches() {
+    let field = fractal(64);
+    let surface = surface(&field);
+    let relief = Relief::new(&surface);
+    let places: Vec<_> = places(60, 64).collect();
+    let depths = hemisphere(&field, 32, DepthMode::Conservative);
+    let start = DepthMapStart::new(&relief, &hemisphere_view(&depths)).unwrap();
+    let search = cone_steps(&field, &relief);
+    let quadrature = HemisphereQuadrature::of_cells(&directions());
+    let occlusion = |depth_map| {
+        let road = ReliefRoad { depth_map, search: &search };
+        HemisphereOcclusion::of_rays(quadrature.clone(), ReliefShadow { relief, road, tolerance: 1e-6 })
+    };
+    let (from_map, from_top) = (occlusion(Some(&start)), occlusion(None));
+    let at = |way: &HemisphereOcclusion<'_>, &(x, y): &(f64, f64)| {
+        way.at((x, y), relief.depth_at(x, y), surface.normal(x, y))
+    };
+    let truth = traced(&surface, quadrature.clone(), &places);
+    let found: Vec<_> = places.iter().map(|place| at(&from_map, place)).collect();
+    let (_, rms) = excess(&truth, &found.iter().map(|occlusion| occlusion.share).collect::<Vec<_>>());
+    assert!(rms < 1e-3, "{rms}");
+    let fetches = |all: u32, place| all + at(&from_top, place).fetches.total();
+    let (from_map, from_top) =
+        (found.iter().map(|occlusion| occlusion.fetches.total()).sum::<u32>(), places.iter().fold(0, fetches));
+    assert!(from_map < from_top, "{from_map} instead of {from_top}");
 }

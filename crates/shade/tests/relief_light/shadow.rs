@@ -1,15 +1,16 @@
 //! Shadows by relief rays against shadows traced over the surface.
 
+use barchan_asset::DepthMode;
 use barchan_field::{Edge, HeightField};
 use barchan_metrics::MaskDisagreement;
 use barchan_shade::{
-    DirectionalLight, LinearSearch, Relief, ReliefRoad, ReliefSearch, ReliefShadow, SHADOW_TOLERANCE, Surface,
-    TracedRelief, TracedShadow,
+    DepthMapStart, DirectionalLight, LinearSearch, Relief, ReliefRoad, ReliefSearch, ReliefShadow, SHADOW_TOLERANCE,
+    Surface, TracedRelief, TracedShadow,
 };
 use glam::DVec3;
 use proptest::prelude::*;
 
-use crate::support::{field, fractal, noise, places, surface};
+use crate::support::{cone_steps, field, fractal, hemisphere, hemisphere_view, noise, places, surface};
 
 /// How often a search disagrees with the traced shadow, over lights all around at some elevations, in degrees.
 pub(crate) fn disagreement(
@@ -115,4 +116,50 @@ proptest! {
         let answer = shadow.at((x, y), 0.5, towards.min(DVec3::new(1.0, 1.0, 0.0)));
         prop_assert!(answer.in_shadow);
     }
+}
+
+/// The default: starts that are proven, then cone steps. No search of it goes wrong, so what is left is the tolerance.
+#[test]
+fn cone_steps_from_a_conservative_map_shade_what_is_traced_dark() {
+    for field in [fractal(64), field((48, 48), (1.0, 1.0), Edge::Wrap, |column, row| 9.0 * noise(8, column, row))] {
+        let surface = surface(&field);
+        let relief = Relief::new(&surface);
+        let depths = hemisphere(&field, 16, DepthMode::Conservative);
+        let start = DepthMapStart::new(&relief, &hemisphere_view(&depths)).unwrap();
+        let search = cone_steps(&field, &relief);
+        let road = ReliefRoad { depth_map: Some(&start), search: &search };
+        let wrong = disagreement(&surface, &road, SHADOW_TOLERANCE, &[15.0, 30.0, 45.0, 70.0]);
+        assert!(wrong.rate() < 0.002 && wrong.false_shadow == 0, "{wrong:?}");
+    }
+}
+
+#[test]
+fn starts_that_are_not_proven_cost_some_shadows() {
+    let field = fractal(64);
+    let surface = surface(&field);
+    let relief = Relief::new(&surface);
+    let depths = hemisphere(&field, 16, DepthMode::Nearest);
+    let start = DepthMapStart::new(&relief, &hemisphere_view(&depths)).unwrap();
+    let road = ReliefRoad { depth_map: Some(&start), search: &LinearSearch::new(&relief, 64, 10) };
+    let wrong = disagreement(&surface, &road, SHADOW_TOLERANCE, &[15.0, 30.0, 45.0, 70.0]);
+    assert!(wrong.rate() < 0.02, "{wrong:?}");
+}
+
+#[test]
+fn what_a_conservative_start_proves_lit_costs_one_fetch() {
+    // A post here and there on level ground.
+    let post = |column: u32, row: u32| if (column % 32, row % 32) == (16, 16) { 5.0 } else { 0.0 };
+    let field = field((64, 64), (1.0, 1.0), Edge::Wrap, post);
+    let surface = surface(&field);
+    let relief = Relief::new(&surface);
+    let depths = hemisphere(&field, 64, DepthMode::Conservative);
+    let start = DepthMapStart::new(&relief, &hemisphere_view(&depths)).unwrap();
+    let search = cone_steps(&field, &relief);
+    let road = ReliefRoad { depth_map: Some(&start), search: &search };
+    // Bytes are rounded down by less than that.
+    let shadow = ReliefShadow { relief, road, tolerance: 1.0 / 255.0 };
+    let towards = DirectionalLight::from_degrees(70.0, 60.0).towards;
+    let answers: Vec<_> = places(500, 64).map(|(x, y)| shadow.at((x, y), relief.depth_at(x, y), towards)).collect();
+    let proven = answers.iter().filter(|answer| !answer.in_shadow && answer.fetches.total() == 1).count();
+    assert!(proven > 450, "{proven} of {}", answers.len());
 }
