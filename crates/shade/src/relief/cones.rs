@@ -19,15 +19,19 @@
 //!   ratio are one filtered sample.
 //! - The paper takes a fixed number of steps and stops close to the surface.
 //! - After a cell without a hit the gap is known without a fetch. If the ratio last seen says that a step from there would not
-//!   get out of the next cell either, that is gathered at once. A guess only costs or saves a fetch, never a hit.
+//!   get out of the next cell either, that is gathered at once. So is the first behind a start that was looked up, if a hit is
+//!   likely to be in it. A guess only costs or saves a fetch, never a hit.
 
 use barchan_asset::{ConeMapView, TableView};
 
 use super::cell::Cell;
 use super::matching::{MismatchedRelief, check_range, check_texels};
-use super::start::leave_relief_to;
+use super::start::{leave_relief_to, way_ahead};
 use super::{Fetches, Found, Relief, ReliefRay, ReliefSearch, Start};
 use crate::Texture;
+
+/// A hit that is likely to be nearer than this is looked for in the cell the ray is in.
+const NEAR_TEXELS: f64 = 0.5;
 
 /// Cone stepping.
 #[derive(Debug, Clone)]
@@ -87,7 +91,7 @@ impl ReliefSearch for ConeSteps<'_> {
         let mut fetches = start.fetches;
         let mut depth = leave_relief_to(&self.relief, ray, start, &mut fetches);
         let mut cell = Cell::behind(ray, depth);
-        let (mut sample, mut last_ratio) = (true, 0.0);
+        let (mut sample, mut last_ratio) = (depth <= 0.0 || way_ahead(ray, depth) >= NEAR_TEXELS, 0.0);
         // It ends: every turn leaves the cell, and a ray's way is bounded.
         loop {
             let exit = cell.exit(ray, depth);

@@ -12,22 +12,21 @@
 //! # Departures
 //!
 //! - Level 0 is not read: a gather of the cell's heights costs as much and decides.
-//! - The level to begin with is that whose blocks are about as long as the way that a ray has before it: a quarter of the whole
-//!   way from the top, 1/32 of it behind a start that a depth map gave. Tevs et al. begin with one block over everything.
+//! - The level to begin with is that whose blocks are about as long as the way that a ray is likely to have before it: a
+//!   quarter of the whole from the top, 1/32 behind a start that was looked up. Tevs et al. begin with one block over
+//!   everything.
 //! - A level up is taken where a block of that level begins, as in the paper, but only if the ray left the last block so high
-//!   above it that it would come through the larger one, too, if that were no higher. Both save fetches and change no
-//!   hit; `barchan_shade`'s bench and the study say how many.
+//!   above it that it would come through the larger one, too, if that were no higher.
+//!
+//! Neither changes a hit. On a fractal relief of 256², 0.15 tile deep, seen 10 / 35 / 60 / 75° from the normal, a search
+//! from the top takes 9.7 / 12 / 15 / 20 fetches without them and 4.5 / 7.3 / 11 / 15 with them.
 
 use barchan_asset::{MaximumMipView, Wrap};
 
 use super::cell::{Block, Cell, Exit};
 use super::matching::{MismatchedRelief, check_texels, check_top};
-use super::start::leave_relief_to;
+use super::start::{leave_relief_to, way_ahead};
 use super::{Fetches, Found, Relief, ReliefRay, ReliefSearch, Start};
-
-/// What part of a ray's way is before it: from the top, and from a start that was looked up.
-const WAY_FROM_TOP: f64 = 0.25;
-const WAY_FROM_START: f64 = 1.0 / 32.0;
 
 /// Beyond an edge that clamps a block has no end: farther than any ray goes.
 const ENDLESS: i64 = 1 << 50;
@@ -74,8 +73,7 @@ impl<'a> MaximumMipTraversal<'a> {
 
     /// The level to begin with.
     fn first_level(&self, ray: &ReliefRay, depth: f64) -> usize {
-        let part = if depth > 0.0 { WAY_FROM_START } else { WAY_FROM_TOP };
-        let way = part * ray.step.0.abs().max(ray.step.1.abs());
+        let way = way_ahead(ray, depth);
         let coarsest = self.levels.len().saturating_sub(1);
         (1..=coarsest).take_while(|&level| (1_u64 << level) as f64 <= way).last().unwrap_or(0)
     }

@@ -12,6 +12,22 @@
 //! over a spike; what knows free space ([`ConeSteps`], [`MaximumMipTraversal`]) can not, and neither can a start that is
 //! *proven* to lie before the first hit.
 //!
+//! # The default
+//!
+//! A conservative [`DepthMapStart`] and [`MaximumMipTraversal`]: exact, and on the reliefs tried the fewest fetches of all that
+//! are. Mean fetches, heights and tables together, of 256² reliefs 0.15 tile deep with 64² depth maps of 32 rings and 16
+//! azimuths, seen 10 / 35 / 60 / 75° from the normal:
+//!
+//! | | fractal | spikes |
+//! |---|---|---|
+//! | maximum mips | 4.5 / 7.3 / 11 / 15 | 7.0 / 12 / 24 / 45 |
+//! | maximum mips from a depth map | 2.5 / 4.3 / 7.8 / 11 | 3.5 / 10 / 22 / 42 |
+//! | cone steps | 3.5 / 5.7 / 9.6 / 14 | 6.5 / 18 / 39 / 73 |
+//! | cone steps from a depth map | 2.5 / 4.8 / 7.4 / 10 | 3.8 / 15 / 37 / 71 |
+//!
+//! Cone steps are the better end where relief is rough all over, mips where little stands out of much that is level. On white
+//! noise nearly every footprint has a peak, and a start saves nothing.
+//!
 //! # Fetches
 //!
 //! A filtered sample of the heights, or a gather of the four around a place, is one fetch of a height. A filtered sample of a

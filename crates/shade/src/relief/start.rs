@@ -1,4 +1,4 @@
-//! What to do with a start that is not proven.
+//! What to do with a start: how near it is likely to be, and the way back out of one that is not proven.
 //!
 //! Takeshi Suzuki, *An Accelerated Relief Mapping Using Depth Maps*, section 3.2: where the start is outside the relief, march
 //! on; where it is inside, march back out.
@@ -7,6 +7,18 @@ use super::{Fetches, Relief, ReliefRay, Start};
 
 /// The step of a march back for searches that have no step of their own, as a part of the thickness.
 pub(crate) const STEP_BACK: f64 = 1.0 / 64.0;
+
+/// What part of a ray's way to the floor is before it: from the top, and from a start that was looked up. Measured on
+/// fractal relief, spikes, walls and noise; a part that shrinks with the depth of the start cost more on all but spikes. It
+/// decides what is fetched first and never what is found.
+const WAY_FROM_TOP: f64 = 0.25;
+const WAY_FROM_START: f64 = 1.0 / 32.0;
+
+/// About how many texels a ray goes along u or v from a start to its hit.
+pub(crate) fn way_ahead(ray: &ReliefRay, start: f64) -> f64 {
+    let part = if start > 0.0 { WAY_FROM_START } else { WAY_FROM_TOP };
+    part * ray.step.0.abs().max(ray.step.1.abs())
+}
 
 /// What a start turned out to be.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -61,7 +61,7 @@ fn random_ray(relief: &Relief<'_>, seed: u32, index: u32) -> ReliefRay {
     let random = |what| f64::from(noise(seed, index, what));
     let place = |what| (1.5 * random(what) - 0.25) * f64::from(SIZE);
     // Every eighth ray on a texel border, every eighth along an axis.
-    let (x, y) = if index % 8 == 0 { (place(0).round(), place(1)) } else { (place(0), place(1)) };
+    let (x, y) = if index.is_multiple_of(8) { (place(0).round(), place(1)) } else { (place(0), place(1)) };
     let azimuth = if index % 8 == 1 { 90.0 * (4.0 * random(2)).floor() } else { 360.0 * random(2) };
     relief.ray(x, y, towards((MAX_POLAR + 1.0) * random(3).sqrt(), azimuth)).unwrap()
 }
