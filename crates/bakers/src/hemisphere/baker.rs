@@ -17,10 +17,11 @@ const BAND_ROWS: usize = 4;
 
 /// Bakes all directions at once: the same bytes for any number of threads.
 pub fn bake(field: &HeightField, params: &HemisphereParams, exec: &Exec) -> Result<HemisphereMap, BakeError> {
-    let baker = HemisphereBaker::new(field, *params, exec)?;
+    params.check(field)?;
     let texels = params.texels();
     let values = texels as u64 * u64::from(params.directions.layers());
     let mut depths = zeros("the hemisphere map", values)?;
+    let baker = HemisphereBaker::new(field, *params, exec)?;
     let layers = depths.chunks_exact_mut(texels).collect();
     exec.for_each(layers, |layer, values: &mut [f32]| baker.bake_rows(layer as u32, 0..params.height, values));
     Ok(HemisphereMap { params: *params, relief: baker.relief(), depths })

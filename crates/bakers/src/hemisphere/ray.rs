@@ -7,24 +7,24 @@ use crate::horizon;
 
 /// How far over the grid a ray is followed, in texels of the finer axis. Only a relief of absurd thickness, or a ray within a thousandth of
 /// a degree of the horizontal, goes so far without a hit.
-pub(crate) const MAX_RAY_TEXELS: f64 = (1 << 17) as f64;
+pub(super) const MAX_RAY_TEXELS: f64 = (1 << 17) as f64;
 
 /// How far a ray moves over the grid from the top plane down to depth 1: columns, and rows counted downwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct DepthRay {
-    pub(crate) columns: f64,
-    pub(crate) rows: f64,
+pub(super) struct DepthRay {
+    pub(super) columns: f64,
+    pub(super) rows: f64,
 }
 
 impl DepthRay {
     /// The ray that comes from the direction whose horizontal part is `(u, v)` times its part along the normal.
-    pub(crate) fn new((u, v): (f64, f64), relief: ReliefRange, spacing: Spacing) -> Self {
+    pub(super) fn new((u, v): (f64, f64), relief: ReliefRange, spacing: Spacing) -> Self {
         // It moves away from where it comes from; v points up the picture, rows are counted downwards.
         Self { columns: -u * relief.thickness / spacing.u(), rows: v * relief.thickness / spacing.v() }
     }
 
     /// The ray of a layer in the nearest mode: at the inner edge of the ring, in the middle of the azimuth.
-    pub(crate) fn of_layer(
+    pub(super) fn of_layer(
         directions: &HemisphereDirections,
         layer: u32,
         relief: ReliefRange,
@@ -37,18 +37,18 @@ impl DepthRay {
     }
 
     /// Whether it stays where it enters.
-    pub(crate) fn is_vertical(self) -> bool {
+    pub(super) fn is_vertical(self) -> bool {
         self.columns == 0.0 && self.rows == 0.0
     }
 
     /// How deep it is followed.
-    pub(crate) fn deepest(self) -> f64 {
+    pub(super) fn deepest(self) -> f64 {
         (MAX_RAY_TEXELS / self.columns.abs().max(self.rows.abs())).min(1.0)
     }
 }
 
 /// Cosine and sine of an azimuth, exact along the axes.
-pub(crate) fn azimuth_vector(azimuths: &Azimuths, index: u32) -> (f64, f64) {
+pub(super) fn azimuth_vector(azimuths: &Azimuths, index: u32) -> (f64, f64) {
     let count = azimuths.count();
     let same = if azimuths.is_full_circle() {
         horizon::Azimuths::full_circle(count)
@@ -60,7 +60,7 @@ pub(crate) fn azimuth_vector(azimuths: &Azimuths, index: u32) -> (f64, f64) {
 }
 
 /// The cells that a ray crosses from where it enters, one after the other.
-pub(crate) struct Crossings {
+pub(super) struct Crossings {
     ray: DepthRay,
     columns: Axis,
     rows: Axis,
@@ -69,15 +69,15 @@ pub(crate) struct Crossings {
 
 /// A ray's way through one cell.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Crossing {
+pub(super) struct Crossing {
     /// The cell's least column and row.
-    pub(crate) cell: (i64, i64),
+    pub(super) cell: (i64, i64),
     /// The depths at which the ray enters and leaves.
-    pub(crate) start: f64,
-    pub(crate) end: f64,
+    pub(super) start: f64,
+    pub(super) end: f64,
     /// Where it does, in columns and rows from the cell's corner, within 0..1.
-    pub(crate) enters: (f64, f64),
-    pub(crate) leaves: (f64, f64),
+    pub(super) enters: (f64, f64),
+    pub(super) leaves: (f64, f64),
 }
 
 /// One axis of the grid under a ray.
@@ -111,7 +111,7 @@ impl Axis {
 
 impl Crossings {
     /// Of a ray that enters at a place in columns and rows from the centre of texel (0, 0).
-    pub(crate) fn new(ray: DepthRay, (x, y): (f64, f64)) -> Self {
+    pub(super) fn new(ray: DepthRay, (x, y): (f64, f64)) -> Self {
         Self { ray, columns: Axis::new(x, ray.columns), rows: Axis::new(y, ray.rows), start: 0.0 }
     }
 }

@@ -5,9 +5,7 @@ use barchan_field::{Grid, HeightField};
 
 use super::HorizonParams;
 use crate::BakeError;
-
-/// One bound for what a bake may hold in memory.
-const MAX_MAP_BYTES: u64 = 1 << 36;
+use crate::memory::{self, MAX_TABLE_BYTES};
 
 /// Where the horizon of a texel lies in one direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -123,19 +121,14 @@ impl HorizonMap {
 fn bounded_values(texels: usize, params: &HorizonParams) -> Result<usize, BakeError> {
     let values = texels as u64 * u64::from(params.directions());
     let bytes = values * if params.distance { 8 } else { 4 };
-    if bytes > MAX_MAP_BYTES {
-        return Err(BakeError::TooLarge { what: "the horizon map", bytes, limit: MAX_MAP_BYTES });
+    if bytes > MAX_TABLE_BYTES {
+        return Err(BakeError::TooLarge { what: "the horizon map", bytes, limit: MAX_TABLE_BYTES });
     }
     Ok(values as usize)
 }
 
-/// Memory that the system refuses is an error of the bake, not the end of the program.
 fn zeros(values: usize) -> Result<Vec<f32>, BakeError> {
-    let mut zeros = Vec::new();
-    let bytes = 4 * values as u64;
-    zeros.try_reserve_exact(values).map_err(|_| BakeError::Memory { what: "the horizon map", bytes })?;
-    zeros.resize(values, 0.0);
-    Ok(zeros)
+    memory::zeros("the horizon map", values as u64)
 }
 
 /// One direction's share of the output.
