@@ -88,7 +88,8 @@ fn varied(records: &[&Record]) -> String {
     let header = ["table", "MB"].map(str::to_owned).into_iter().chain(titles).chain(last);
     let mut table = Table::new(header);
     let angles = angles(records);
-    let tables = records.iter().filter(|record| record.setting.get("size").is_some());
+    // The first relief shown has all tables, the others but the largest.
+    let tables = records.iter().filter(|record| record.setting.get("size").is_some() && record.scene == SHOWN[0]);
     for name in distinct(tables.map(|record| table_of(record))) {
         let own: Vec<&Record> = records.iter().filter(|record| table_of(record) == name).copied().collect();
         let bytes = own.first().and_then(|record| record.bytes);
@@ -109,7 +110,7 @@ fn varied(records: &[&Record]) -> String {
     }
     format!(
         "By cone steps from 32 × 16 directions in squared tangents, 64² and compact unless said, fetches at {}°; wrong shares are over \
-         all five reliefs and angles:\n\n{}",
+         all angles and five reliefs (256²: these two):\n\n{}",
         angles.join(" / "),
         table.render()
     )
