@@ -14,8 +14,8 @@
 
 use barchan_bakers::Exec;
 use barchan_shade::{
-    HemisphereOcclusion, HemisphereQuadrature, MAP_TOLERANCE, Occlusion, Relief, ReliefRoad, ReliefSearch,
-    ReliefShadow, SHADOW_TOLERANCE, TracedRelief,
+    DepthMapStart, HemisphereOcclusion, HemisphereQuadrature, MAP_TOLERANCE, Occlusion, Relief, ReliefRoad,
+    ReliefSearch, ReliefShadow, SHADOW_TOLERANCE, TracedRelief,
 };
 
 use crate::hemisphere_spec::{HemisphereSpec, Layers, MODES, StoredHemisphere};
@@ -100,18 +100,8 @@ impl Occlusions<'_> {
         let truth = traced_occlusion(relief, &traced);
         let expected: Vec<f64> = points.iter().map(|point| point.occlusion(&truth)).collect();
         let stored = self.tables(scene)?;
-        let starts = stored.iter().map(|(spec, stored)| Ok((spec, stored.start(relief)?)));
-        let starts = starts.collect::<Result<Vec<_>, StudyError>>()?;
-        let mut methods: Vec<(Setting, HemisphereOcclusion<'_>)> = Vec::new();
-        for (spec, start) in &starts {
-            let setting = Setting::default().with("mode", spec.mode_name()).with("size", spec.size);
-            methods
-                .push((setting.clone().with("by", "map"), HemisphereOcclusion::of_map(relief, start, MAP_TOLERANCE)));
-            let road = ReliefRoad { depth_map: Some(start), search: cones };
-            let shadow = ReliefShadow { relief: *relief, road, tolerance: SHADOW_TOLERANCE };
-            let quadrature = HemisphereQuadrature::of_cells(&spec.directions());
-            methods.push((setting.with("by", "rays"), HemisphereOcclusion::of_rays(quadrature, shadow)));
-        }
+        let starts = starts(&stored, relief)?;
+        let methods = methods(relief, &starts, cones);
         let timings = race(&mut contestants(&methods, &points), &self.pace, &mut |_| ())?;
         let judged = methods.iter().zip(&timings).map(|((setting, method), timing)| {
             let found: Vec<_> = points.iter().map(|point| method.at(point.place, point.depth, point.normal)).collect();
@@ -142,6 +132,33 @@ impl Occlusions<'_> {
         });
         specs.map(|spec| Ok((spec, spec.bake(&scene.field, Layers::All, self.exec)?))).collect()
     }
+}
+
+/// Where rays start by each table.
+pub(crate) fn starts<'a>(
+    stored: &'a [(HemisphereSpec, StoredHemisphere)],
+    relief: &Relief<'_>,
+) -> Result<Vec<(HemisphereSpec, DepthMapStart<'a>)>, StudyError> {
+    stored.iter().map(|(spec, stored)| Ok((*spec, stored.start(relief)?))).collect()
+}
+
+/// By each map alone, and by rays over its cells that it starts.
+pub(crate) fn methods<'a>(
+    relief: &Relief<'a>,
+    starts: &'a [(HemisphereSpec, DepthMapStart<'a>)],
+    search: &'a dyn ReliefSearch,
+) -> Vec<(Setting, HemisphereOcclusion<'a>)> {
+    let both = |(spec, start): &'a (HemisphereSpec, DepthMapStart<'a>)| {
+        let setting = Setting::default().with("mode", spec.mode_name()).with("size", spec.size);
+        let road = ReliefRoad { depth_map: Some(start), search };
+        let shadow = ReliefShadow { relief: *relief, road, tolerance: SHADOW_TOLERANCE };
+        let quadrature = HemisphereQuadrature::of_cells(&spec.directions());
+        [
+            (setting.clone().with("by", "map"), HemisphereOcclusion::of_map(relief, start, MAP_TOLERANCE)),
+            (setting.with("by", "rays"), HemisphereOcclusion::of_rays(quadrature, shadow)),
+        ]
+    };
+    starts.iter().flat_map(both).collect()
 }
 
 fn contestants<'a>(

@@ -2,11 +2,13 @@
 
 use barchan_field::shapes::{Axis, Plane, StepWall};
 use barchan_field::{Edge, Grid, LengthUnit, Shape, Spacing};
-use barchan_shade::{HemisphereOcclusion, MAP_TOLERANCE, Relief, TracedRelief};
+use barchan_shade::{Relief, TracedRelief};
 use glam::DVec3;
 
-use crate::hemisphere_occlusion::Occlusions;
+use crate::hemisphere_occlusion::{self, Occlusions};
+use crate::relief_method::Search;
 use crate::relief_point::{ReliefPoint, traced_occlusion};
+use crate::relief_tables::StoredSearch;
 use crate::scenes::SIDE;
 use crate::{Quantity, Record, Scene, Setting, StudyError, reliefs, tables};
 
@@ -23,22 +25,20 @@ pub(crate) fn records(study: &Occlusions<'_>, scene: &Scene) -> Result<Vec<Recor
     let surface = tables::surface(&scene.field)?;
     let relief = Relief::new(&surface);
     let stored = study.tables(scene)?;
+    let starts = hemisphere_occlusion::starts(&stored, &relief)?;
+    let cones = StoredSearch::bake(Search::Cones, &scene.field, study.exec)?.of(&relief)?;
     let traced = TracedRelief::new(&relief);
-    let record = |by: Setting, wall: &Wall, found: f64| {
-        let setting = by.with("height_over_distance", wall.ratio);
+    let by = |name: &str| Setting::default().with("by", name);
+    let mut methods = vec![(by("traced"), traced_occlusion(&relief, &traced))];
+    methods.extend(hemisphere_occlusion::methods(&relief, &starts, &*cones));
+    let record = |by: &Setting, wall: &Wall, found: f64| {
+        let setting = by.clone().with("height_over_distance", wall.ratio);
         Record { quantity: Some(Quantity::Occlusion), mean: Some(found), ..Record::new("closed_form", setting, scene) }
     };
     let mut records = Vec::new();
     for wall in walls(scene) {
-        let by = |name: &str| Setting::default().with("by", name);
-        records.push(record(by("closed_form"), &wall, wall.occlusion()));
-        records.push(record(by("traced"), &wall, wall.point.occlusion(&traced_occlusion(&relief, &traced))));
-        for (spec, stored) in &stored {
-            let start = stored.start(&relief)?;
-            let map = HemisphereOcclusion::of_map(&relief, &start, MAP_TOLERANCE);
-            let by = by("map").with("mode", spec.mode_name()).with("size", spec.size);
-            records.push(record(by, &wall, wall.point.occlusion(&map)));
-        }
+        records.push(record(&by("closed_form"), &wall, wall.occlusion()));
+        records.extend(methods.iter().map(|(by, method)| record(by, &wall, wall.point.occlusion(method))));
     }
     Ok(records)
 }

@@ -233,7 +233,7 @@ mod tests {
             width: 16,
             height: 16,
             wrong_share: Some(wrong_share),
-            rms: Some(0.0125),
+            rms: Some(0.02),
             max: Some(1e-4),
             height_fetches: Some(fetches),
             table_fetches: Some(1.0),
@@ -268,8 +268,8 @@ mod tests {
         let text = render(&file());
         for line in [
             "| white noise | 20°: error | cost | bytes per texel | bake |\n",
-            "| linear + bisection | 0.012, 1e-4, 2.00 % | 1.0 + 1.0, 5 ns | 2.00 | 1.50 s |\n",
-            "| cone steps | 0.012, 1e-4, 0.00 % | 9.0 + 1.0, 50 ns | 2.00 | 1.50 s |\n",
+            "| linear + bisection | 0.020, 1e-4, 2.00 % | 1.0 + 1.0, 5 ns | 2.00 | 1.50 s |\n",
+            "| cone steps | 0.020, 1e-4, 0.00 % | 9.0 + 1.0, 50 ns | 2.00 | 1.50 s |\n",
             "| white noise | – | 25.0 % | – | – | – | – |\n",
         ] {
             assert!(text.contains(line), "{line} in {text}");
@@ -287,7 +287,7 @@ mod tests {
     fn errors_are_charted_over_fetches() {
         let chart = error_over_fetches(&file(), "fractal");
         assert_eq!(chart.curves.len(), 1);
-        assert_eq!(chart.curves[0].points, [(5.0, 0.0125), (5.0, 0.0125)]);
+        assert_eq!(chart.curves[0].points, [(5.0, 0.02), (5.0, 0.02)]);
         assert_eq!(charts(&file()).unwrap().len(), 4);
     }
 }
