@@ -26,16 +26,19 @@ const ARROWS: [(&str, &[&str]); 10] = [
 ];
 
 /// Documents whose relative links must lead somewhere.
-const DOCUMENTS: [&str; 12] = [
+const DOCUMENTS: [&str; 15] = [
     "README.md",
     "MEASUREMENTS.md",
     "ARCHITECTURE.md",
     "CONTRIBUTING.md",
     "CHANGELOG.md",
     "formats/barchan-v1.md",
+    "formats/cone-v1.md",
     "formats/curvature-v1.md",
     "formats/height-v1.md",
+    "formats/hemisphere-v1.md",
     "formats/horizon-v1.md",
+    "formats/maximum-v1.md",
     "formats/sky-v1.md",
     "samples/README.md",
     "tests/README.md",

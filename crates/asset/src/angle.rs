@@ -57,8 +57,11 @@ pub(crate) fn tangent(angle: f64) -> f64 {
     sine(angle) / sine(FRAC_PI_2 - angle + FRAC_PI_2_REST)
 }
 
-/// √x for 0 ≤ x ≤ 4; 0 for a negative x. Newton's iteration for 1/√x, which doubles the right digits each time.
+/// √x for 0 ≤ x ≤ 4; 0 for a negative x, NaN for NaN. Newton's iteration for 1/√x, which doubles the right digits each time.
 pub(crate) fn square_root(x: f64) -> f64 {
+    if x.is_nan() {
+        return x;
+    }
     if x < f64::MIN_POSITIVE {
         return 0.0;
     }
@@ -115,5 +118,6 @@ mod tests {
         assert_eq!([arcsine(0.0), arcsine(1.0), arcsine(-7.0)], [0.0, FRAC_PI_2, -FRAC_PI_2]);
         assert!(arcsine(f64::NAN).is_nan());
         assert_eq!([square_root(0.0), square_root(-1.0), square_root(1.0)], [0.0, 0.0, 1.0]);
+        assert!(square_root(f64::NAN).is_nan() && square_root(-f64::NAN).is_nan());
     }
 }

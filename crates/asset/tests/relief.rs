@@ -150,7 +150,7 @@ fn streamed(mut encoder: TableEncoder, layers: &[&[f32]]) -> Vec<u8> {
     let mut stream = AssetStream::new(std::io::Cursor::new(Vec::new()));
     let (opened, kind) = (*encoder.descriptor(), SectionKind::HEMISPHERE);
     stream.open_table(&opened, Codec::Raw).unwrap();
-    for (k, layer) in (0..).zip(layers).rev() {
+    for (k, layer) in (0..layers.len() as u32).zip(layers).rev() {
         stream.layer(kind, k, &encoder.layer(k, layer).unwrap()).unwrap();
     }
     stream.close_table(&encoder.finish().unwrap().0).unwrap();

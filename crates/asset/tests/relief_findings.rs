@@ -52,6 +52,8 @@ fn words_that_do_not_fit() {
     assert_eq!(word(MAXIMA, 40, 1), ["B0403"]);
     assert_eq!(word(CONES, 40, 2), ["B0403"]);
     assert_eq!(word(HEIGHT, 40, 2), ["B0403"]);
+    // A reducer that does not make these levels.
+    assert_eq!(word(MAXIMA, 44, 2), ["B0403"]);
     // Candidates, transfers, units.
     assert_eq!(word(HEMISPHERE, 132, 2), ["B0411"]);
     assert_eq!(word(HEMISPHERE, 128, 2), ["B0409"]);

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use barchan_asset::{
-    CurvatureColumn, FINDINGS, MAX_EXTENT, MAX_LAYERS, MAX_SECTIONS, SectionKind, VertexFlags, vectors,
+    CurvatureColumn, DepthMode, FINDINGS, MAX_EXTENT, MAX_LAYERS, MAX_SECTIONS, RingSpacing, SectionKind, VertexFlags,
+    vectors,
 };
 
 fn page(name: &str) -> String {
@@ -39,6 +40,7 @@ fn the_container_page_names_every_kind_bound_and_vector() {
 fn the_worked_examples_are_the_published_vectors() {
     assert!(hex_lines("barchan-v1.md", "height-u8-repeat-clamp") >= 20);
     assert_eq!(hex_lines("curvature-v1.md", "curvature-principal"), 4);
+    assert_eq!(hex_lines("hemisphere-v1.md", "hemisphere-arc"), 16);
 }
 
 /// How many hex lines a page has; they are the bytes of that vector.
@@ -55,6 +57,16 @@ fn hex_lines(name: &str, vector: &str) -> usize {
         lines += 1;
     }
     lines
+}
+
+#[test]
+fn the_hemisphere_page_lists_every_ring_spacing_and_depth_mode() {
+    let page = page("hemisphere-v1.md");
+    let spacings = [RingSpacing::EqualAngles, RingSpacing::SquaredTangents].map(|s| (s.number(), s.name()));
+    let modes = [DepthMode::Nearest, DepthMode::Conservative].map(|mode| (mode.number(), mode.name()));
+    for (number, name) in spacings.into_iter().chain(modes) {
+        assert!(page.contains(&format!("| {number} | {} |", name.replace('_', " "))), "{name}");
+    }
 }
 
 #[test]

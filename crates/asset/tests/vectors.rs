@@ -4,9 +4,10 @@ use std::fs;
 use std::path::PathBuf;
 
 use barchan_asset::{
-    ApertureConeView, Asset, BentNormalView, CurvatureColumn, CurvatureView, DistanceView, HeightView, HorizonView,
-    LengthUnit, Limits, MAX_ELEVATION, OpenError, SectionFault, SectionKind, Severity, SkyVisibilityView,
-    SweptDistanceView, SweptHorizonView, Transfer, Wrap, validate, vectors,
+    ApertureConeView, Asset, BentNormalView, ConeMapView, CurvatureColumn, CurvatureView, DepthMode, DistanceView,
+    HeightView, HemisphereView, HorizonView, LengthUnit, Limits, MAX_ELEVATION, MaximumMipView, OpenError,
+    RelaxedConeMapView, RingSpacing, SectionFault, SectionKind, Severity, SkyVisibilityView, SweptDistanceView,
+    SweptHorizonView, TextureDescriptor, Transfer, Wrap, validate, vectors,
 };
 
 fn folder() -> PathBuf {
@@ -204,6 +205,81 @@ fn what_a_texel_sees_of_the_sky() {
                 // The height is a root: near the tangent plane it magnifies what its square is off by.
                 let slack = if i == 2 { tolerance.sqrt() * 2.0 + 4e-4 } else { 0.0 };
                 assert!((normal[i] - texel.axis[i]).abs() <= tolerance + slack, "{name}: {normal:?}");
+            }
+        }
+    }
+}
+
+/// The descriptor and the raw payload of a section.
+fn part(file: &[u8], kind: SectionKind) -> (TextureDescriptor, &[u8]) {
+    let section = Asset::open(file).unwrap().section(kind).unwrap();
+    (section.texture().unwrap(), section.raw_payload().unwrap())
+}
+
+#[test]
+fn hemisphere_depths_lie_in_their_cells() {
+    let third = std::f64::consts::FRAC_PI_3;
+    for (name, layers, mode, spacing) in [
+        ("relief-f32", 6, DepthMode::Conservative, RingSpacing::SquaredTangents),
+        ("relief-f16", 6, DepthMode::Conservative, RingSpacing::SquaredTangents),
+        ("relief-compact", 6, DepthMode::Conservative, RingSpacing::SquaredTangents),
+        ("hemisphere-arc", 4, DepthMode::Nearest, RingSpacing::EqualAngles),
+    ] {
+        let file = published(name);
+        let (descriptor, payload) = part(&file, SectionKind::HEMISPHERE);
+        let view = HemisphereView::new(descriptor, payload).unwrap();
+        let directions = view.directions();
+        assert_eq!((directions.layers(), view.mode(), directions.spacing), (layers, mode, spacing));
+        assert_eq!((directions.max_polar_radians, view.relief()), (third, vectors::RELIEF_RANGE));
+        for (layer, column) in (0..layers).flat_map(|layer| [(layer, 0), (layer, 1)]) {
+            let (depth, given) = (view.depth(layer, column, 0), vectors::hemisphere_depth(layer, column));
+            assert!(mode == DepthMode::Nearest || depth <= given, "{name}: {depth} for {given}");
+            assert!(f64::from((depth - given).abs()) <= descriptor.worst_case_error, "{name}: {depth} for {given}");
+        }
+    }
+    let file = published("relief-f32");
+    let (descriptor, payload) = part(&file, SectionKind::HEMISPHERE);
+    let directions = HemisphereView::new(descriptor, payload).unwrap().directions();
+    // The second ring starts at a quarter of tan 60°, the second azimuth is around 120°.
+    assert_eq!([0.433, 0.434, 1.733].map(|tangent| directions.ring_of_tangent(tangent)), [Some(0), Some(1), None]);
+    assert_eq!([61_f64, -59.0].map(|degrees| directions.azimuth_cell(degrees.to_radians())), [Some(1), Some(0)]);
+}
+
+#[test]
+fn cones_are_no_deeper_and_no_wider_than_given() {
+    for name in ["relief-f32", "relief-f16", "relief-compact"] {
+        let file = published(name);
+        let (cones, relaxed) = (part(&file, SectionKind::CONE_MAP), part(&file, SectionKind::RELAXED_CONE_MAP));
+        let errors = [cones.0.worst_case_error, relaxed.0.worst_case_error];
+        let cones = ConeMapView::new(cones.0, cones.1).unwrap();
+        let relaxed = RelaxedConeMapView::new(relaxed.0, relaxed.1).unwrap();
+        assert_eq!((cones.relief(), relaxed.relief()), (vectors::RELIEF_RANGE, vectors::RELIEF_RANGE));
+        let lower = |found: f32, given: f32, error| found <= given && f64::from(given - found) <= error;
+        for (i, (column, row)) in (0..15).map(|i| (i as usize, (i % 5, i / 5))) {
+            let (depth, ratio) = ((4.0 - vectors::RELIEF[i]) / 5.0, vectors::cone_ratio(column, row));
+            assert!(lower(cones.depth(column, row), depth, errors[0]), "{name} {i}");
+            assert!(lower(cones.ratio(column, row), ratio, errors[0]), "{name} {i}");
+            assert!(lower(relaxed.ratio(column, row), 2.0 * ratio, errors[1]), "{name} {i}");
+            assert_eq!(relaxed.depth(column, row), cones.depth(column, row));
+        }
+    }
+}
+
+#[test]
+fn maxima_lead_to_the_top_of_the_relief() {
+    // Of 1 m at (1, 0) with 2.5 m, 0.5 m and 0 m; across the edge that repeats, and below the one that does not.
+    let [cells, halves, all] = vectors::maxima();
+    assert_eq!((cells[1], cells[4], cells[14], halves, all), (2.5, 4.0, 0.125, vec![4.0, 4.0], vec![4.0]));
+    for (name, error) in [("relief-f32", 0.0), ("relief-f16", 1e-3), ("relief-compact", 1e-3)] {
+        let file = published(name);
+        let (descriptor, payload) = part(&file, SectionKind::MAXIMUM_MIP);
+        let view = MaximumMipView::new(descriptor, payload).unwrap();
+        assert_eq!([0, 1, 2].map(|level| view.extent(level)), [(5, 3), (2, 1), (1, 1)]);
+        for (level, values) in (0..).zip(vectors::maxima()) {
+            for (i, given) in (0..).zip(values) {
+                let width = view.extent(level).0;
+                let found = view.value(level, i % width, i / width);
+                assert!(found >= given && found - given <= error, "{name}: {found} for {given}");
             }
         }
     }

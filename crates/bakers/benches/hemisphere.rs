@@ -92,5 +92,21 @@ fn whole(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, rings, reliefs, whole);
+/// The conservative mode by the size of the table: a 512² map in 512 directions.
+fn conservative(criterion: &mut Criterion) {
+    let mut group = group(criterion, "hemisphere_conservative");
+    let (field, nearest) = (field("fractal_terrain", 512), params(512));
+    group.throughput(Throughput::Elements(512 * 512 * 512));
+    for size in [32, 64, 512] {
+        let params = HemisphereParams { width: size, height: size, mode: DepthMode::Conservative, ..nearest };
+        for threads in [1, 2] {
+            let exec = Exec::new(threads).expect("threads");
+            group.bench_function(BenchmarkId::new(format!("fractal_terrain_512_to_{size}"), threads), |bencher| {
+                bencher.iter(|| hemisphere::bake(&field, &params, &exec));
+            });
+        }
+    }
+}
+
+criterion_group!(benches, rings, reliefs, whole, conservative);
 criterion_main!(benches);

@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use super::{MAX_EXTENT, MAX_LAYERS, TextureDescriptor};
-use crate::{Component, DepthMode, DescriptorError, Filter, Format, RingSpacing, Semantic, Transfer};
+use crate::{Component, DepthMode, DescriptorError, Filter, Format, MipReducer, RingSpacing, Semantic, Transfer};
 
 impl TextureDescriptor {
     /// Whether every field is within the format and all agree with each other.
@@ -109,7 +109,9 @@ impl TextureDescriptor {
             }
             _ => (Filter::Linear, "1 (linear)"),
         };
-        word("filter", self.filter.number(), self.filter == filter, accepted)
+        word("filter", self.filter.number(), self.filter == filter, accepted)?;
+        let maxima = self.semantic != Semantic::MaximumHeight || self.mip_reducer == MipReducer::Max;
+        word("mip_reducer", self.mip_reducer.number(), maxima, "3 (max) for maximum heights")
     }
 
     fn check_range(&self) -> Result<(), DescriptorError> {

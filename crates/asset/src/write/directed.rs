@@ -14,11 +14,6 @@ impl Rounding {
             Self::Up => decoded >= value,
         }
     }
-
-    /// The next f32 on the side to which this rounds.
-    fn onwards(self, number: f32) -> f32 {
-        if self == Self::Up { number.next_up() } else { number.next_down() }
-    }
 }
 
 /// Moves bytes that are the nearest to `values` to the side that the quantiser rounds to.
@@ -44,16 +39,17 @@ fn half(quantiser: &Quantiser, value: f32, t: f32) -> u16 {
         return 0;
     }
     let end = if quantiser.rounding == Rounding::Up { 1.0 } else { -1.0 };
-    let mut target = t;
+    // What a reader's product and sum may be off by, in units of the scale.
+    let step = end * f64::from(f32::EPSILON) * (1.0 + bias.abs() / scale);
+    let mut normalised = ((f64::from(t) - bias) / scale).clamp(-1.0, 1.0);
     loop {
-        let normalised = ((f64::from(target) - bias) / scale).clamp(-1.0, 1.0);
         let code = half_beside(normalised, quantiser.rounding);
         let decoded = quantiser.value(codes::value_of_half(code));
-        // The quantiser's own end always does; f32 wants two turns at most elsewhere.
+        // The quantiser's own end always does; elsewhere a turn or two are enough.
         if quantiser.rounding.accepts(decoded, value) || normalised == end {
             return code;
         }
-        target = quantiser.rounding.onwards(target);
+        normalised = (normalised + step).clamp(-1.0, 1.0);
     }
 }
 

@@ -4,7 +4,7 @@ use std::string::String;
 
 use crate::{Component, Format, Semantic, Transfer};
 
-/// How values are stored.
+/// How values are stored. Where they are rounded to one side, as a bound has to be, errors are twice as large.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Encoding {
     /// As they are: 4 bytes, exact, not filterable on every GPU.

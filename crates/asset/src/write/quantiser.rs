@@ -31,6 +31,8 @@ pub(super) struct Quantiser {
     pub(super) bias: f32,
     /// The greatest |t| there can be.
     largest: f32,
+    /// Whether t is stored without any error.
+    exact: bool,
 }
 
 impl Quantiser {
@@ -44,18 +46,20 @@ impl Quantiser {
         let (component, transfer) = (encoding.format(semantic).component(), encoding.transfer(semantic));
         let legal = legal_before(transfer, &facts.legal());
         // A zero is stored as +0, whichever of the two zeros came first.
-        let [mut min, max] = [*bounds.start(), *bounds.end()]
-            .map(|value| codes::before_transfer(transfer, value).clamp(*legal.start(), *legal.end()) + 0.0);
-        while rounding == Rounding::Down && transfer.value(min) > *bounds.start() {
-            min = min.next_down();
-        }
+        let [min, max] = [*bounds.start(), *bounds.end()].map(|value| {
+            let mut t = codes::before_transfer(transfer, value).clamp(*legal.start(), *legal.end()) + 0.0;
+            while rounding == Rounding::Down && transfer.value(t) > value {
+                t = t.next_down();
+            }
+            t
+        });
         let largest = min.abs().max(max.abs());
-        let stored_as = |scale, bias| Self { component, transfer, rounding, scale, bias, largest };
+        let stored_as = |scale, bias| Self { component, transfer, rounding, scale, bias, largest, exact: false };
         if component == Component::Float32 {
-            return Ok(stored_as(1.0, 0.0));
+            return Ok(Self { exact: true, ..stored_as(1.0, 0.0) });
         }
         if min == max {
-            return Ok(stored_as(0.0, min));
+            return Ok(Self { exact: transfer == Transfer::Identity, ..stored_as(0.0, min) });
         }
         let (low, high) = (f64::from(min), f64::from(max));
         let bias = if component == Component::Unorm8 { min } else { (0.5 * (low + high)) as f32 };
@@ -72,17 +76,31 @@ impl Quantiser {
                 scale = scale.min(f32_at_most(centre - f64::from(*legal.start())));
             }
         }
-        let quantiser = stored_as(scale, bias);
-        if rounding == Rounding::Up && !quantiser.value(1.0).is_finite() {
+        let quantiser = stored_as(scale, bias).with_room(bounds);
+        if rounding == Rounding::Up && quantiser.value(1.0).is_infinite() {
             return Err(EncodeError::TooWide { min, max, encoding: encoding.name() });
         }
         Ok(quantiser)
     }
 
+    /// Mends what rounding the scale upwards did to the ends of `bounds`: on the side to which values are rounded there
+    /// must be a number for the end, and bytes that are rounded down should not lose their last one to it.
+    fn with_room(self, bounds: &RangeInclusive<f32>) -> Self {
+        let (wider, narrower) = (self.scale.next_up(), self.scale.next_down());
+        let scale = match (self.rounding, self.component) {
+            (Rounding::Up, _) if self.value(1.0) < *bounds.end() => wider,
+            (Rounding::Down, Component::Float16) if self.value(-1.0) > *bounds.start() => wider,
+            (Rounding::Down, Component::Unorm8) if self.value(1.0) > *bounds.end() => narrower,
+            _ => self.scale,
+        };
+        Self { scale, ..self }
+    }
+
     /// The quantiser of depths in [0, 1] that are stored as they are, whatever scale and bias of the table.
     pub(super) fn plain(encoding: Encoding, facts: &TableFacts) -> Self {
         let (component, rounding) = (encoding.format(facts.semantic()).component(), facts.rounding());
-        Self { component, transfer: Transfer::Identity, rounding, scale: 1.0, bias: 0.0, largest: 1.0 }
+        let exact = component == Component::Float32;
+        Self { component, transfer: Transfer::Identity, rounding, scale: 1.0, bias: 0.0, largest: 1.0, exact }
     }
 
     /// What a reader makes of a stored number, by exactly the arithmetic of [`crate::TableView`].
@@ -109,9 +127,11 @@ impl Quantiser {
     }
 
     fn error_before_transfer(&self) -> f64 {
+        if self.exact {
+            return 0.0;
+        }
         let step = match self.component {
-            Component::Float32 => return 0.0,
-            _ if self.scale == 0.0 && self.transfer == Transfer::Identity => return 0.0,
+            Component::Float32 => 0.0,
             Component::Unorm8 => 1.0 / 255.0,
             Component::Float16 => power_of_two(-11),
         };

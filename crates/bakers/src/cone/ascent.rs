@@ -13,6 +13,10 @@ pub(super) trait Source {
     fn height(&self) -> f64;
     /// Only an ascent steeper than this matters.
     fn slope(&self) -> f64;
+    /// Is nothing in a square of what is looked for? Its points are at most so far along u and v, in lengths, and so high.
+    fn rules_out(&self, _level: usize, _index: [u32; 2], _farthest: [f64; 2], _highest: f64) -> bool {
+        false
+    }
     /// A cell that may hold such an ascent, by its column and row, which on repeated tiles may be beyond the edge.
     fn look_into(&mut self, cell: [i64; 2]);
 }
@@ -88,27 +92,39 @@ impl<'a> Ascent<'a> {
     }
 
     fn push(&self, source: &impl Source, level: usize, index: [u32; 2], tile: [i64; 2], squares: &mut Vec<Square>) {
-        let rise = f64::from(self.mip.levels[level].value(index[0], index[1])) - source.height();
-        let gaps = [0, 1].map(|axis| self.gap(level, axis, index[axis], source.place()[axis], tile[axis]));
-        if rise <= 0.0 || gaps[0] > self.reach[0] || gaps[1] > self.reach[1] {
+        let highest = f64::from(self.mip.levels[level].value(index[0], index[1]));
+        let rise = highest - source.height();
+        let [along_u, along_v] =
+            [0, 1].map(|axis| self.span(level, axis, index[axis], source.place()[axis], tile[axis]));
+        if rise <= 0.0 || along_u.nearest > self.reach[0] || along_v.nearest > self.reach[1] {
             return;
         }
-        let (along_u, along_v) = (gaps[0] * self.grid.spacing.u(), gaps[1] * self.grid.spacing.v());
-        let squared_slope = rise * rise / (along_u * along_u + along_v * along_v);
-        let slope = source.slope();
-        if squared_slope > slope * slope {
+        let lengths = |u: f64, v: f64| [u * self.grid.spacing.u(), v * self.grid.spacing.v()];
+        let [u, v] = lengths(along_u.nearest, along_v.nearest);
+        let (squared_slope, slope) = (rise * rise / (u * u + v * v), source.slope());
+        let farthest = lengths(along_u.farthest, along_v.farthest);
+        if squared_slope > slope * slope && !source.rules_out(level, index, farthest, highest) {
             squares.push(Square { level, index, tile, squared_slope });
         }
     }
 
-    /// Cells between the place and a square, along one axis.
-    fn gap(&self, level: usize, axis: usize, index: u32, place: [i64; 2], tile: i64) -> f64 {
+    /// Cells between the place and the points of a square, along one axis.
+    fn span(&self, level: usize, axis: usize, index: u32, place: [i64; 2], tile: i64) -> Span {
         let finest = [self.mip.levels[0].width, self.mip.levels[0].height][axis];
         let extent = [self.mip.levels[level].width, self.mip.levels[level].height][axis];
         let first = tile + (i64::from(index) << level);
         let end = if index + 1 == extent { tile + i64::from(finest) } else { first + (1 << level) };
-        (first - place[1]).max(place[0] - end).max(0) as f64
+        Span {
+            nearest: (first - place[1]).max(place[0] - end).max(0) as f64,
+            farthest: (end - place[0]).max(place[1] - first) as f64,
+        }
     }
+}
+
+/// From a place to a square along one axis, in cells.
+struct Span {
+    nearest: f64,
+    farthest: f64,
 }
 
 /// The steepest last, which is looked at first. The sort is stable, so there is only one order.

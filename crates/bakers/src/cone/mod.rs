@@ -52,7 +52,7 @@
 //!
 //! The paper samples rays through all texels and follows each to its first exit; every exit is the first one behind some
 //! point of the surface, so that in the limit both are the same. Of the bilinear cell D = a + b u + c v + t u v, in depths
-//! and lengths from A, the exits are the points t u v ≥ a, as (u, v) · ∇D ≥ D says that the ray goes out; no ray need be
+//! and lengths from A, the exits are the points t u v > a, as (u, v) · ∇D > D says that the ray goes out; no ray need be
 //! followed. The rest is the search of the strict cones with P a single point.
 //!
 //! What relaxed cones do **not** promise: they are made for rays from A. A ray that passes above the texel lower than A,
@@ -63,8 +63,8 @@
 //! # Conventions
 //!
 //! Ratios are pure numbers, rounded down, and slopes lengths over lengths: texels need not be square. No ratio exceeds
-//! the tile's diagonal / the relief's thickness, nor [`MAX_RATIO`], which all texels of relief without thickness have; on
-//! the highest plateau, where no cone ends, it is this that is stored. A wall too steep for f32 has ratio 0. Where r is
+//! the tile's diagonal / the relief's thickness, nor [`MAX_RATIO`], which is the ratio of
+//! relief without thickness, but for rounding; on the highest plateau, where no cone ends, it is this that is stored. A wall too steep for f32 has ratio 0. Where r is
 //! not capped, what is stored is within 1/64 of what the corners of halved cells prove; against the true infimum only
 //! the bound of the nine nearest cells is wider than that.
 

@@ -101,6 +101,9 @@ impl<'a> Lattice<'a> {
             along / self.parts as f64
         };
         let above = |factor: f64| top - factor * drop - self.field.surface(place(factor, 0), place(factor, 1));
+        // A ray that lies in the surface does not leave it.
+        let (lowest, _) = self.field.range();
+        let clearly = 1e-9 * (top - f64::from(lowest));
         let farthest = (head[0] - texel[0]).abs().max((head[1] - texel[1]).abs());
         let stride = 0.25 / farthest as f64;
         let mut inside = 1.0;
@@ -109,8 +112,8 @@ impl<'a> Lattice<'a> {
             if !self.within_a_tile(texel, [place(next, 0), place(next, 1)]) || top - next * drop < self.height(texel) {
                 return None;
             }
-            if above(next) > 0.0 {
-                let exit = bisect(inside, next, above);
+            if above(next) > clearly {
+                let exit = bisect(inside, next, |factor| above(factor) > clearly);
                 return Some((exit * distance, top - exit * drop));
             }
             inside = next;
@@ -129,11 +132,11 @@ impl<'a> Lattice<'a> {
     }
 }
 
-/// The last of `inside` and the places after it, up to `outside`, that is not above the surface.
-fn bisect(mut inside: f64, mut outside: f64, above: impl Fn(f64) -> f64) -> f64 {
+/// The last of `inside` and the places after it, up to `outside`, that is not outside.
+fn bisect(mut inside: f64, mut outside: f64, is_outside: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..40 {
         let middle = 0.5 * (inside + outside);
-        if above(middle) > 0.0 { outside = middle } else { inside = middle }
+        if is_outside(middle) { outside = middle } else { inside = middle }
     }
     inside
 }

@@ -1,10 +1,12 @@
 //! The steepest ascent from a texel to where a ray from above it leaves the relief, to within a tolerance.
 
+use barchan_asset::f32_at_least;
+
 use super::ascent::{Ascent, Source, Square};
 use super::bounds::{Bounds, Steepest, direction};
 use super::ground::Ground;
 use super::patch::Patch;
-use crate::maximum_mip::MaximumMip;
+use crate::maximum_mip::{self, MaximumMip, MipLevel};
 use crate::memory::zeros;
 use crate::{BakeError, Exec};
 
@@ -21,13 +23,14 @@ pub(super) fn slopes(
     exec: &Exec,
 ) -> Result<Vec<f64>, BakeError> {
     let mut slopes: Vec<f64> = zeros("the slopes of a cone map", ground.grid.texels() as u64)?;
+    let steepness = maximum_mip::pyramid(steepness(ground, exec)?, exec)?;
     let ascent = Ascent::new(mip, ground, 1.0);
     let bands = slopes.chunks_mut(ground.grid.width as usize).enumerate().collect();
     exec.for_each_with(bands, Vec::new, |squares: &mut Vec<Square>, (row, slopes): (usize, &mut [f64])| {
         for (column, slope) in slopes.iter_mut().enumerate() {
             let texel = [column as i64, row as i64];
             let height = ground.height(texel[0], texel[1]);
-            let mut foot = Foot { ground, texel, height, top, steepest: Steepest(least) };
+            let mut foot = Foot { ground, steepness: &steepness, texel, height, top, steepest: Steepest(least) };
             ascent.search(&mut foot, squares);
             *slope = foot.steepest.0;
         }
@@ -35,9 +38,23 @@ pub(super) fn slopes(
     Ok(slopes)
 }
 
+/// The steepest gradient of every cell, rounded up; 0 of those beyond clamped edges, which are not looked at.
+fn steepness(ground: &Ground, exec: &Exec) -> Result<MipLevel, BakeError> {
+    let cells = ground.cells().map(i64::from);
+    maximum_mip::fill(ground.grid.width, ground.grid.height, exec, |row, values| {
+        for (column, value) in values.iter_mut().enumerate() {
+            let cell = [column as i64, row];
+            let there = cell[0] < cells[0] && cell[1] < cells[1];
+            *value = if there { f32_at_least(ground.cell(cell, cell).steepest([0, 0])) } else { 0.0 };
+        }
+    })
+}
+
 /// A texel as the foot of ascents and of the axis that rays start from.
 struct Foot<'a> {
     ground: &'a Ground<'a>,
+    /// The steepest gradient of every square.
+    steepness: &'a [MipLevel],
     texel: [i64; 2],
     height: f64,
     top: f64,
@@ -55,6 +72,12 @@ impl Source for Foot<'_> {
 
     fn slope(&self) -> f64 {
         self.steepest.0
+    }
+
+    /// (u, v) · ∇D > D asks for a gradient of at least the depth over the distance.
+    fn rules_out(&self, level: usize, index: [u32; 2], [u, v]: [f64; 2], highest: f64) -> bool {
+        let steepest = f64::from(self.steepness[level].value(index[0], index[1]));
+        steepest * (u * u + v * v).sqrt() <= self.top - highest
     }
 
     fn look_into(&mut self, cell: [i64; 2]) {
@@ -95,7 +118,8 @@ impl Foot<'_> {
 /// Where the rays that start at depth 0 above the common origin of places leave the relief through a cell.
 ///
 /// In depths below the top the cell is D = a + b u + c v + t u v. A ray leaves the relief where D grows faster along it
-/// than its own depth does: where (u, v) · ∇D ≥ D, that is t u v ≥ a.
+/// than its own depth does: where (u, v) · ∇D > D, that is t u v > a. Along a level top at depth 0 no ray leaves; it leaves
+/// at the far brink.
 struct Exits {
     twist: f64,
     /// The depth of the cell's surface continued to the origin.
@@ -113,6 +137,6 @@ impl Exits {
     }
 
     fn are_at(&self, u: f64, v: f64) -> bool {
-        self.twist * u * v >= self.depth_at_origin
+        self.twist * u * v > self.depth_at_origin
     }
 }

@@ -8,8 +8,9 @@ use crate::maximum_mip::MaximumMip;
 use crate::memory::zeros;
 use crate::{BakeError, Exec};
 
-/// How often the patches of a pair may be halved, both together. Square cells need ten.
-const HALVINGS: u32 = 12;
+/// How often the patches of a pair may be halved, both together. Square cells need ten, those of eight
+/// times the length three more for each of the two.
+const HALVINGS: u32 = 16;
 
 /// For every texel, a slope that no ascent exceeds whose lower end is within a texel of its centre along u and v; none
 /// is below `least`.

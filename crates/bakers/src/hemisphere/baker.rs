@@ -12,7 +12,7 @@ use super::{HemisphereMap, HemisphereParams};
 use crate::memory::zeros;
 use crate::{BakeError, Exec};
 
-/// Rows of the table that one thread fills where a single layer is baked: few enough to keep several threads busy.
+/// Rows of the table that one thread fills where a single layer of the nearest mode is baked: few enough to keep several threads busy.
 const BAND_ROWS: usize = 4;
 
 /// Bakes all directions at once: the same bytes for any number of threads.
@@ -68,10 +68,15 @@ impl HemisphereBaker {
         assert!(layer < self.params.directions.layers(), "a layer of the directions");
         assert_eq!(values.len(), self.params.texels(), "one value for every texel of the table");
         let (width, height) = (self.params.width as usize, self.params.height);
-        let bands = values.chunks_mut(width * BAND_ROWS).collect();
+        let band_rows = match &self.mode {
+            Mode::Nearest(_) => BAND_ROWS,
+            // Every band forms masks of all rows that its rays reach.
+            Mode::Conservative(_) => (height as usize).div_ceil(exec.threads()),
+        };
+        let bands = values.chunks_mut(width * band_rows).collect();
         exec.for_each_quietly(bands, |band, values: &mut [f32]| {
-            let start = (band * BAND_ROWS) as u32;
-            self.bake_rows(layer, start..height.min(start + BAND_ROWS as u32), values);
+            let start = (band * band_rows) as u32;
+            self.bake_rows(layer, start..height.min(start + band_rows as u32), values);
         });
     }
 

@@ -40,11 +40,16 @@ const BAND_ROWS: usize = 64;
 ///
 /// [`BakeError::Memory`] where the levels do not fit.
 pub fn bake(field: &HeightField, exec: &Exec) -> Result<MaximumMip, BakeError> {
-    let mut levels = vec![cells(field, exec)?];
+    Ok(MaximumMip { grid: *field.grid(), levels: pyramid(cells(field, exec)?, exec)? })
+}
+
+/// All levels over the finest, which may hold any kind of value.
+pub(crate) fn pyramid(finest: MipLevel, exec: &Exec) -> Result<Vec<MipLevel>, BakeError> {
+    let mut levels = vec![finest];
     loop {
         let finer = levels.last().expect("level 0 at least");
         if finer.width == 1 && finer.height == 1 {
-            return Ok(MaximumMip { grid: *field.grid(), levels });
+            return Ok(levels);
         }
         let coarser = halve(finer, exec)?;
         levels.push(coarser);
@@ -86,7 +91,7 @@ pub(crate) fn children(index: u32, extent: u32) -> std::ops::Range<u32> {
 }
 
 /// A level whose rows are written by `write_row(row, values)`.
-fn fill(
+pub(crate) fn fill(
     width: u32,
     height: u32,
     exec: &Exec,

@@ -58,7 +58,6 @@ fn the_bound_is_near_the_least_hit_of_many_rays() {
         count += 1.0;
     }
     let (start, least) = (start / count, least / count);
-    println!("start {start} least {least}");
     assert!(start <= least && start > 0.3, "{start} of {least}");
     assert!(least - start < 0.03, "{start} of {least}");
 }

@@ -5,10 +5,10 @@
 //!
 //! > G(s) = G₀ + b s + c s², b = G₁ − G₀ − c, c = twist · Δx · Δy,
 //!
-//! all of it of the size of the depths, so that grazing rays cost no digits. Cells are counted in whole numbers, and never
-//! derived from a rounded place while a ray is walked: no border can hold a walk up.
+//! all of it of the size of the depths, so that grazing rays cost no digits. A walk counts the borders it crosses in whole
+//! numbers, and does not ask a rounded place on which side of one it is: none can hold it up.
 
-use super::{Relief, ReliefRay};
+use super::ReliefRay;
 
 /// The cell right of and below a texel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,6 +45,23 @@ impl Cell {
     #[inline]
     pub(crate) fn exit(self, ray: &ReliefRay, from: f64) -> Exit {
         Block { columns: (self.column, self.column + 1), rows: (self.row, self.row + 1) }.exit(ray, from)
+    }
+
+    /// How far the surface of the cell is below the ray at a depth of it; `corners` are the depths at the cell's.
+    #[inline]
+    pub(crate) fn gap(self, ray: &ReliefRay, corners: [f64; 4], depth: f64) -> f64 {
+        let [d00, d10, d01, _] = corners;
+        let (x, y) = ray.at(depth);
+        let (x, y) = (x - self.column as f64, y - self.row as f64);
+        d00 + (d10 - d00) * x + (d01 - d00) * y + twist(corners) * x * y - depth
+    }
+
+    /// The first hit of a ray in its part of the cell, between two depths.
+    #[inline]
+    pub(crate) fn first_hit(self, ray: &ReliefRay, corners: [f64; 4], (from, to): (f64, f64)) -> Option<f64> {
+        let (g0, g1) = (self.gap(ray, corners, from), self.gap(ray, corners, to));
+        let part = to - from;
+        first_zero(g0, g1, twist(corners) * (part * ray.step.0) * (part * ray.step.1)).map(|s| from + s * part)
     }
 }
 
@@ -87,26 +104,6 @@ fn border(place: f64, step: f64, (low, high): (i64, i64)) -> f64 {
     }
     let end = if step > 0.0 { high } else { low };
     (end as f64 - place) / step
-}
-
-impl Relief<'_> {
-    /// How far the surface of a cell with those corners is below the ray at a depth of it.
-    #[inline]
-    pub(crate) fn gap_in(ray: &ReliefRay, cell: Cell, corners: [f64; 4], depth: f64) -> f64 {
-        let [d00, d10, d01, _] = corners;
-        let (x, y) = ray.at(depth);
-        let (x, y) = (x - cell.column as f64, y - cell.row as f64);
-        d00 + (d10 - d00) * x + (d01 - d00) * y + twist(corners) * x * y - depth
-    }
-
-    /// The first hit of a ray in its part of a cell, between two depths; `corners` are those of the cell.
-    #[inline]
-    pub(crate) fn hit_between(ray: &ReliefRay, cell: Cell, corners: [f64; 4], (from, to): (f64, f64)) -> Option<f64> {
-        let gap = |depth| Self::gap_in(ray, cell, corners, depth);
-        let (g0, g1) = (gap(from), gap(to));
-        let part = to - from;
-        first_zero(g0, g1, twist(corners) * (part * ray.step.0) * (part * ray.step.1)).map(|s| from + s * part)
-    }
 }
 
 #[inline]

@@ -107,13 +107,13 @@ impl ReliefSearch for ConeSteps<'_> {
             }
             fetches += Fetches::HEIGHT;
             let corners = self.relief.corners(cell);
-            if let Some(depth) = Relief::hit_between(ray, cell, corners, (depth, exit.depth)) {
+            if let Some(depth) = cell.first_hit(ray, corners, (depth, exit.depth)) {
                 return Found { depth, fetches };
             }
             if exit.depth >= 1.0 {
                 return Found { depth: 1.0, fetches };
             }
-            let gap = Relief::gap_in(ray, cell, corners, exit.depth);
+            let gap = cell.gap(ray, corners, exit.depth);
             (depth, cell) = (exit.depth, exit.next);
             sample = depth + step(ray, gap, last_ratio) > cell.exit(ray, depth).depth;
         }

@@ -19,7 +19,9 @@
 //!
 //! # Departures
 //!
-//! - Keeping the depth in the nearest mode, h instead of eq 1, starts deeper, and is inside the relief more often.
+//! - Rays are followed by their depth, and h itself would be the depth to begin at: the two are the same along the stored
+//!   direction. Eq 1 is kept for what it is worth: on a fractal relief at 10 / 35 / 60 / 75°, h is behind the first hit of
+//!   8 / 12 / 33 / 49 % of rays, eq 1 of 4 / 5 / 5 / 12 %.
 //! - A ray beyond the cells that were baked, or that enters beyond an edge that clamps, starts at the top, and nothing is
 //!   fetched.
 

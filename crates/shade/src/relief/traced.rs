@@ -33,7 +33,7 @@ impl<'a> TracedRelief<'a> {
         loop {
             cells += 1;
             let exit = cell.exit(ray, depth);
-            let hit = Relief::hit_between(ray, cell, self.relief.corners(cell), (depth, exit.depth));
+            let hit = cell.first_hit(ray, self.relief.corners(cell), (depth, exit.depth));
             // Nothing is deeper than 1, whatever rounding says.
             if let Some(hit) = hit.or((exit.depth >= 1.0).then_some(1.0)) {
                 return (hit, cells);

@@ -40,9 +40,11 @@
 //!
 //! Where cells high enough lie is one bit per cell, and a row of target texels asks for the same cells around each of its texels: the
 //! answer for 64 columns of the source is the bitwise or of a few shifted words ([`row_masks`]). Every column of the source is answered for,
-//! whatever the size of the table; a texel takes the first slab of the columns that it covers. Least depths over boxes
-//! (windows of 2ᵏ × 2ᵏ texels, a march in slabs for each texel) give the same bound at some thirty times the price, and a
-//! looser one where boxes stand around a slanting sector.
+//! whatever the size of the table; a texel takes the first slab of the columns that it covers. Where the sizes do not divide, these reach up
+//! to a texel of the source beyond the footprint.
+//!
+//! The usual road is a march in slabs for each texel, with the least depths over boxes from windows of 2ᵏ × 2ᵏ texels. It gives
+//! a looser bound, as boxes stand far around a slanting sector unless that is cut into many.
 
 use std::ops::Range;
 

@@ -6,6 +6,7 @@ use super::cells::Cells;
 use super::reach::{Reach, Span};
 use super::row_masks::{Answer, RowMasks};
 use super::{Target, slabs};
+use crate::hemisphere::reduce::footprint;
 
 /// Some rows of the table in one layer.
 pub(super) struct TargetRows<'a> {
@@ -103,11 +104,4 @@ impl TargetRow {
             *old = new;
         }
     }
-}
-
-/// The source texels that target texel `index` of `target` covers along one axis of `source` texels.
-fn footprint(index: u32, target: u32, source: u32) -> Range<u32> {
-    let (index, target, source) = (u64::from(index), u64::from(target), u64::from(source));
-    let (start, end) = (index * source / target, ((index + 1) * source).div_ceil(target));
-    start as u32..end as u32
 }
