@@ -12,6 +12,10 @@ mod height_map;
 mod mesh;
 #[path = "end_to_end/mesh_dump.rs"]
 mod mesh_dump;
+#[path = "end_to_end/relief_search.rs"]
+mod relief_search;
+#[path = "end_to_end/relief_view.rs"]
+mod relief_view;
 #[path = "end_to_end/render.rs"]
 mod render;
 #[path = "end_to_end/samples.rs"]

@@ -144,7 +144,10 @@ fn masked(words: &str) -> String {
     let follows = |index: usize| pieces.get(index + 1).copied().unwrap_or_default();
     let is_measured = |index: usize| {
         let next = follows(index);
-        next.starts_with("Mtexel") || next.trim_end().trim_end_matches([',', '\n']) == "s" || next.starts_with("s\n")
+        next.starts_with("Mtexel")
+            || next.starts_with("Mray")
+            || next.trim_end().trim_end_matches([',', '\n']) == "s"
+            || next.starts_with("s\n")
     };
     let mask = |(index, piece): (usize, &&str)| match piece.trim_start_matches('(').trim_end().parse::<f64>() {
         Ok(_) if is_measured(index) => piece.replace(|c: char| c.is_ascii_digit() || c == '.', "").replace(' ', "# "),
@@ -185,6 +188,11 @@ fn reptile_skin_in_short_shadows() {
 #[test]
 fn what_is_said_of_a_recipe_with_a_scene() {
     words_are_golden("dunes");
+}
+
+#[test]
+fn what_is_said_of_a_recipe_with_relief_mapping() {
+    words_are_golden("bumps");
 }
 
 #[test]

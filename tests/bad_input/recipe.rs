@@ -43,7 +43,8 @@ fn an_unknown_field_names_the_nearest_known_one() {
 fn a_field_near_to_nothing_is_shown_what_there_is() {
     assert_eq!(
         complaint(&with("scene: (zzz: true),")),
-        "3:9: unknown field `zzz` (accepted: `curved_surfaces`, `curvature`, `soft_shadows`, `ambient_light`, `area_lights`)"
+        "3:9: unknown field `zzz` (accepted: `curved_surfaces`, `curvature`, `soft_shadows`, `ambient_light`, `area_lights`, \
+         `relief_mapping`)"
     );
 }
 
@@ -209,4 +210,27 @@ fn a_height_map_of_a_recipe_is_named_by_its_own_path() {
     assert_eq!(place.fails(2, "bake r.ron"), "a.png: the file is empty; a PNG, EXR, TIFF or NPY file is needed");
     place.write("r.ron", "(source: HeightMap(path: \"a.png\", height_scale: inf))");
     assert_eq!(place.fails(2, "bake r.ron"), "a.png: `height_scale` is inf; a finite number is needed");
+}
+
+#[test]
+fn relief_mapping_that_no_table_can_serve_is_refused() {
+    let mapped = |mapping: &str, hemisphere: &str| {
+        complaint(&with(&format!("scene: (relief_mapping: ({mapping})), hemisphere: ({hemisphere}),")))
+    };
+    let degrees = "more than 0 and less than 90 degrees are accepted";
+    for (value, shown) in [("0", "0"), ("90.0", "90"), ("-3.5", "-3.5")] {
+        let found = mapped(&format!("least_elevation_degrees: {value}"), "");
+        assert_eq!(found, format!(" scene.relief_mapping: least_elevation_degrees is {shown}; {degrees}"));
+    }
+    assert_eq!(mapped("", "rings: 0"), " hemisphere: rings is 0; 1 or more are accepted");
+    assert_eq!(
+        mapped("", "size: (9, 4)"),
+        " hemisphere: size is 9 × 4 for a height map of 8 × 8; no more texels along a side than the height map has are \
+         accepted"
+    );
+    assert_eq!(
+        mapped("arc: (10, 5)", ""),
+        " scene.relief_mapping: arc is 10 to 5; degrees from within ±360 to a larger number, less than 360 beyond, are \
+         accepted"
+    );
 }

@@ -59,10 +59,14 @@ fn unknown_words_are_usage_errors() {
 fn a_flag_names_its_value_and_what_would_be_accepted() {
     let place = Place::with("map.npy", npy(4, &bumpy(4, 4)));
     let tables = "height, horizon, distance, swept_horizon, swept_distance, sky_visibility, bent_normal, \
-                  aperture_cone, curvature";
+                  aperture_cone, hemisphere, cone_map, relaxed_cone_map, maximum_mip, curvature";
     let arc = "accepted: degrees from within ±360 to a larger number, less than 360 beyond";
     let length = "spacing u is 0; a positive, finite length per texel is needed";
     for (flag, error) in [
+        ("--rings 0", "'0' for '--rings <N>': 0 is not in 1..=2048"),
+        ("--azimuths 2049", "'2049' for '--azimuths <N>': 2049 is not in 1..=2048"),
+        ("--size 8,0", "'8,0' for '--size <N[,N]>': accepted: a number of texels, or two with a comma"),
+        ("--depth-mode near", "'near' for '--depth-mode <MODE>': accepted: conservative, nearest"),
         ("--directions 0", "'0' for '--directions <N>': 0 is not in 1..=2048"),
         ("--directions 2049", "'2049' for '--directions <N>': 2049 is not in 1..=2048"),
         ("--spacing 0", &format!("'0' for '--spacing <LENGTH[,LENGTH]>': {length}")),

@@ -69,7 +69,7 @@ macro_rules! samples {
     };
 }
 
-samples!(cylinder_bumps, dunes, fractal_terrain, jacksboro, reptile_skin, rippled_torus, ripples);
+samples!(cylinder_bumps, dunes, fractal_terrain, jacksboro, relief, reptile_skin, rippled_torus, ripples);
 
 /// Samples without relief.
 const MESHES: &[&str] = &["demosthenes"];

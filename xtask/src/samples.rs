@@ -15,7 +15,7 @@ struct Picture {
     options: &'static str,
 }
 
-const GALLERY: [Picture; 7] = [
+const GALLERY: [Picture; 11] = [
     Picture { name: "dunes", recipe: "dunes", options: "--azimuth 150 --elevation 14 --scale 2" },
     Picture { name: "dunes_dusk", recipe: "dunes", options: "--azimuth 150 --elevation 6" },
     Picture { name: "jacksboro", recipe: "jacksboro", options: "--azimuth 135 --elevation 10" },
@@ -23,6 +23,18 @@ const GALLERY: [Picture; 7] = [
     Picture { name: "reptile_skin", recipe: "reptile_skin", options: "--azimuth 135 --elevation 25" },
     Picture { name: "cylinder_bumps", recipe: "cylinder_bumps", options: "--azimuth 30 --elevation 20 --scale 2" },
     Picture { name: "fractal_terrain", recipe: "fractal_terrain", options: "--azimuth 120 --elevation 25" },
+    Picture {
+        name: "relief",
+        recipe: "relief",
+        options: "--eye-azimuth 250 --eye-elevation 40 --azimuth 190 --elevation 30 --tiles 1",
+    },
+    Picture { name: "relief_sky", recipe: "relief", options: "--eye-elevation 40 --ambient --tiles 1" },
+    Picture { name: "relief_heat", recipe: "relief", options: "--eye-elevation 35 --size 480 --heat" },
+    Picture {
+        name: "relief_ball",
+        recipe: "relief",
+        options: "--eye-elevation 20 --on sphere --azimuth 220 --elevation 30",
+    },
 ];
 
 /// How the bust is drawn: from the front, a little to one side.

@@ -35,8 +35,10 @@ pub struct StartAccuracy {
 pub(crate) struct StartSample {
     /// By layer.
     rays: Vec<SampledRay>,
-    /// Texels of the table to one of the heights, along u and v.
-    texels_per_texel: (f64, f64),
+    /// Texels of the heights along u and v.
+    from: (u32, u32),
+    /// Texels of the table along u and v.
+    to: (u32, u32),
 }
 
 /// A ray and its start.
@@ -55,17 +57,18 @@ impl StartSample {
         let grid = surface.grid();
         let mut rays: Vec<_> = (0..ray_count(surface, params)).map(|index| ray(surface, params, index)).collect();
         rays.sort_by_key(|ray| ray.layer);
-        let share = |of_table: u32, of_heights: u32| f64::from(of_table) / f64::from(of_heights);
-        Self { rays, texels_per_texel: (share(params.width, grid.width), share(params.height, grid.height)) }
+        Self { rays, from: (grid.width, grid.height), to: (params.width, params.height) }
     }
 
     /// Reads the starts of a layer: what a reader will decode at a column and a row.
     pub(crate) fn take(&mut self, layer: u32, stored: impl Fn(u32, u32) -> f32) {
         let first = self.rays.partition_point(|ray| ray.layer < layer);
-        let (across, down) = self.texels_per_texel;
+        // A place that rounding puts on the far border is in the last texel.
+        let texel =
+            |place: f64, from: u32, to: u32| (((place + 0.5) / f64::from(from) * f64::from(to)) as u32).min(to - 1);
         for ray in self.rays[first..].iter_mut().take_while(|ray| ray.layer == layer) {
             let (x, y) = ray.entry;
-            ray.start = stored(((x + 0.5) * across) as u32, ((y + 0.5) * down) as u32).into();
+            ray.start = stored(texel(x, self.from.0, self.to.0), texel(y, self.from.1, self.to.1)).into();
         }
     }
 

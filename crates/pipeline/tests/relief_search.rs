@@ -220,7 +220,7 @@ fn what_is_claimed_of_starts_holds_for_other_rays() {
         assert!((share - claimed.beyond_share).abs() < 0.02, "{share} {claimed:?}");
         match mode {
             HemisphereMode::Conservative => {
-                assert_eq!((share, claimed.beyond_share, claimed.beyond_max), (0.0, 0.0, 0.0))
+                assert_eq!((share, claimed.beyond_share, claimed.beyond_max), (0.0, 0.0, 0.0));
             }
             HemisphereMode::Nearest => assert!(share > 0.02 && claimed.beyond_max > 0.01, "{share} {claimed:?}"),
         }

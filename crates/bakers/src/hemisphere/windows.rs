@@ -13,7 +13,8 @@ use crate::memory::zeros;
 /// Neighbouring rays followed together.
 pub(super) const LANES: usize = 16;
 
-/// The sides of the windows in texels, each a multiple of the one before.
+/// The sides of the windows in texels, each a multiple of the one before. Sides of 1, 2, 16 or of 1, 2, 4, 16, 64 cost the same
+/// within a tenth; all powers of two up to 32 a fifth more.
 pub(super) const SIDES: [usize; 4] = [1, 2, 8, 32];
 
 /// Texels kept before the first of a clamped field: a window that begins further out reaches it with no lane.

@@ -45,7 +45,7 @@ fn rays_over_shapes_end_where_the_reference_ends_them() {
 }
 
 /// White noise has a silhouette in every cell. A ray that grazes one, nearer to it than f32 can tell, may pass in one precision and hit in the
-/// other: 2 of 102120 rays.
+/// other: at most 2 of 102120 rays.
 #[test]
 fn rays_over_noise_end_elsewhere_only_where_they_graze_a_silhouette() {
     let (mut compared, mut apart) = (0, 0);

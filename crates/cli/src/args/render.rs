@@ -13,7 +13,7 @@ use super::words::{above_horizon, elevation, finite};
   barchan render dunes.barchan --ambient -o overcast.png
   barchan render relief.barchan --eye-elevation 35 --azimuth 200 -o relief.png
   barchan render relief.barchan --eye-elevation 35 --heat -o fetches.png
-  barchan render relief.barchan --eye-azimuth 20 --search maximum_mip --start top --compare -o check.png
+  barchan render relief.barchan --eye-azimuth 20 --search linear --start top --compare -o check.png
   barchan render relief.barchan --eye-azimuth 0 --on sphere --tiles 8 -o ball.png")]
 pub(crate) struct RenderArguments {
     /// The .barchan file; it needs the height table, and that of the horizon or, with --ambient, of the sky. Seen from a side it needs
@@ -62,9 +62,9 @@ pub(crate) struct ReliefViewArguments {
     pub(crate) tiles: Option<u32>,
     /// Pixels of the longer side of a picture
     #[arg(long, value_name = "PIXELS", default_value_t = 640, requires = "eye")]
-    #[arg(value_parser = clap::value_parser!(u32).range(16..=8192))]
+    #[arg(value_parser = clap::value_parser!(u32).range(16..=2048))]
     pub(crate) size: u32,
-    /// What finds the hit of a ray: cone_steps, relaxed_cone_steps, maximum_mip, linear, parallax_occlusion [default: the first of
+    /// What finds the hit of a ray: maximum_mip, cone_steps, relaxed_cone_steps, linear, parallax_occlusion [default: the first of
     /// these that the file has the table for]
     #[arg(long, value_name = "SEARCH", requires = "eye", hide_possible_values = true)]
     pub(crate) search: Option<SearchName>,
@@ -97,12 +97,12 @@ pub(crate) enum BaseName {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 #[value(rename_all = "snake_case")]
 pub(crate) enum SearchName {
+    /// Traversal of a maximum mip
+    MaximumMip,
     /// Cone steps that end in an exact hit
     ConeSteps,
     /// Relaxed cone steps and a bisection
     RelaxedConeSteps,
-    /// Traversal of a maximum mip
-    MaximumMip,
     /// 64 steps and a bisection
     Linear,
     /// 64 steps and a secant

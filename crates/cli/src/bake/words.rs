@@ -104,6 +104,7 @@ fn left_out_words(tables: &[LeftOut]) -> String {
 }
 
 /// How many layers and levels a texture has, and what they stand for.
+#[derive(Clone, Copy)]
 pub(crate) struct LayerCounts {
     pub(crate) layers: u32,
     /// Of a swept table; else 0.

@@ -39,9 +39,10 @@ impl SearchName {
         }
     }
 
-    /// The first that the tables of a file allow: the first two never miss a hit.
+    /// The first that the tables of a file allow, the last one always: the first two are exact, mips in fewer fetches.
     pub(super) fn best_of(file: &AssetFile) -> Result<Self, Failure> {
-        let (best, tables) = ([Self::ConeSteps, Self::MaximumMip, Self::RelaxedConeSteps], file.tables()?);
+        let best = [Self::MaximumMip, Self::ConeSteps, Self::RelaxedConeSteps, Self::Linear];
+        let tables = file.tables()?;
         let allowed = |search: &Self| search.table().is_none_or(|table| tables.contains(&table));
         Ok(best.into_iter().find(allowed).unwrap_or(Self::Linear))
     }

@@ -6,12 +6,16 @@
 //!
 //! # Two ways
 //!
-//! - [`HemisphereOcclusion::of_map`], the paper's: the map alone, one fetch a direction. A map holds the least depth around, and that
-//!   of other rays of a cell, so a point that stands on a slope shades itself unless `tolerance` allows for it, and what stands out by less than
-//!   the tolerance is missed. What enters beside a clamped tile is not in the map, and taken for open.
+//! - [`HemisphereOcclusion::of_map`], the paper's: the map alone, one fetch a direction. A map that was reduced holds the least depth
+//!   of a footprint, and on a slope most of that lies deeper: a point there shades itself unless `tolerance` allows for it, and what
+//!   stands out by less than the tolerance is missed. What enters beside a clamped tile is not in the map, and taken for open.
 //! - [`HemisphereOcclusion::of_rays`]: a shadow ray a direction, as [`ReliefShadow`] casts them. Under a conservative map one fetch
 //!   settles what is in the open, and only the rest is searched. With the traced relief for a search, it is the truth of that
 //!   quadrature.
+//!
+//! Measured on fractal relief of 64² texels and a sixth of that deep, 16 rings of 16 azimuths, a tolerance of 1/16; RMS against the
+//! traced occlusion, 0.07 on average: a nearest map of 64² texels 0.020, of 32² 0.21, of 16² 0.57, a conservative one 0.8 and more. So a
+//! map alone should be a nearest one as fine as the heights; anything else is for rays.
 
 use barchan_asset::DepthMode;
 use glam::DVec3;

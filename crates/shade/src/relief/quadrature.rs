@@ -50,11 +50,11 @@ struct Ring {
 }
 
 impl HemisphereQuadrature {
-    /// The cells of a grid of directions, each under the direction in its middle.
+    /// The cells of a grid of directions, of at least one ring, each under the direction in its middle.
     #[must_use]
     pub fn of_cells(directions: &HemisphereDirections) -> Self {
         let edges = edges(directions);
-        let last = directions.rings as usize - 1;
+        let last = edges.len().saturating_sub(2);
         let rings = edges.windows(2).enumerate().map(|(ring, edge)| Ring {
             inner: edge[0],
             outer: if ring == last { FRAC_PI_2 } else { edge[1] },
@@ -63,12 +63,12 @@ impl HemisphereQuadrature {
         Self::new(rings, directions)
     }
 
-    /// The rays of a grid of directions, each at the inner edge of its cell, as nearest hemisphere tables hold them; a ray stands for
+    /// The rays of a grid of directions, of at least one ring, each at the inner edge of its cell, as nearest hemisphere tables hold them; a ray stands for
     /// what is nearer to it than to the next.
     #[must_use]
     pub fn of_rays(directions: &HemisphereDirections) -> Self {
         let edges = edges(directions);
-        let last = directions.rings as usize - 1;
+        let last = edges.len().saturating_sub(2);
         let between = |ring: usize| 0.5 * (edges[ring] + edges[ring + 1]);
         let rings = (0..=last).map(|ring| Ring {
             inner: if ring == 0 { 0.0 } else { between(ring - 1) },
@@ -89,16 +89,17 @@ impl HemisphereQuadrature {
             Ring { inner: polar(inner), outer: polar(inner + 1.0), middle: polar(inner + 0.5) }
         };
         let step = TAU / f64::from(azimuths.max(1));
-        Self::of_rings((0..rings.max(1)).map(ring), (0..azimuths.max(1)).map(|k| f64::from(k) * step), step)
+        let azimuths: Vec<f64> = (0..azimuths.max(1)).map(|k| f64::from(k) * step).collect();
+        Self::of_rings((0..rings.max(1)).map(ring), &azimuths, step)
     }
 
     fn new(rings: impl Iterator<Item = Ring>, directions: &HemisphereDirections) -> Self {
-        let azimuths = directions.azimuths;
-        Self::of_rings(rings, (0..azimuths.count()).map(|k| azimuths.radians(k)), azimuths.step_radians())
+        let azimuths: Vec<f64> = (0..directions.azimuths.count()).map(|k| directions.azimuths.radians(k)).collect();
+        Self::of_rings(rings, &azimuths, directions.azimuths.step_radians())
     }
 
-    fn of_rings(rings: impl Iterator<Item = Ring>, azimuths: impl Iterator<Item = f64> + Clone, step: f64) -> Self {
-        let cells = rings.flat_map(|ring| azimuths.clone().map(move |azimuth| ring.cell(azimuth, step)));
+    fn of_rings(rings: impl Iterator<Item = Ring>, azimuths: &[f64], step: f64) -> Self {
+        let cells = rings.flat_map(|ring| azimuths.iter().map(move |&azimuth| ring.cell(azimuth, step)));
         Self { cells: cells.collect() }
     }
 
