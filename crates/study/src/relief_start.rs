@@ -103,15 +103,15 @@ impl Study for Starts<'_> {
         setting: &Option<HemisphereSpec>,
     ) -> Result<Vec<Record>, StudyError> {
         match setting {
-            None => truth.from_top(scene),
+            None => truth.without_table(scene),
             Some(spec) if self.is_left_out(scene, spec) => Ok(Vec::new()),
-            Some(spec) => self.from_table(scene, truth, spec),
+            Some(spec) => self.by_table(scene, truth, spec),
         }
     }
 }
 
 impl Starts<'_> {
-    fn from_table(&self, scene: &Scene, truth: &Truth, spec: &HemisphereSpec) -> Result<Vec<Record>, StudyError> {
+    fn by_table(&self, scene: &Scene, truth: &Truth, spec: &HemisphereSpec) -> Result<Vec<Record>, StudyError> {
         let stored = spec.bake(&scene.field, Layers::AtAngles(&ANGLES), self.exec)?;
         let relief = Relief::new(&truth.surface);
         let seeker = |search: &StoredSearch| {
@@ -140,7 +140,7 @@ impl Starts<'_> {
 }
 
 impl Truth {
-    fn from_top(&self, scene: &Scene) -> Result<Vec<Record>, StudyError> {
+    fn without_table(&self, scene: &Scene) -> Result<Vec<Record>, StudyError> {
         let relief = Relief::new(&self.surface);
         let mut records = Vec::new();
         for (angle, sights) in &self.sights {
