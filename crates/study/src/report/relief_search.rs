@@ -2,7 +2,7 @@
 
 use super::numbers::{NONE, distinct, or_none, percent, short};
 use super::relief_words::{depth, fetches, fetches_apart, find, relief, title, word};
-use crate::chart::{Curve, LineChart};
+use crate::chart::{Curve, Legend, LineChart};
 use crate::markdown::Table;
 use crate::relief_method::{Feed, Method, Search};
 use crate::{Record, RecordFile, StudyError};
@@ -199,6 +199,7 @@ fn fetches_over_angle(records: &[&Record], scene: &str) -> LineChart {
         across: "angle from the normal, °".to_owned(),
         up: "fetches of heights and tables".to_owned(),
         curves: CURVES.map(curve).into(),
+        legend: Legend::Above,
     }
 }
 
@@ -218,6 +219,7 @@ fn error_over_fetches(file: &RecordFile, scene: &str) -> LineChart {
         across: "mean fetches of heights and tables per ray".to_owned(),
         up: "RMS error of depth".to_owned(),
         curves: methods.collect(),
+        legend: Legend::UpperRight,
     }
 }
 
