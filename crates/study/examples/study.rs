@@ -23,8 +23,8 @@ use barchan_study::report::Block;
 use barchan_study::timer::Pace;
 use barchan_study::{
     Machine, Record, RecordFile, Scale, Scene, Step, curvature_accuracy, curvature_interpolation, curvature_speed,
-    curved_effect, curved_pictures, curved_shadow, horizon_accuracy, horizon_curvature, horizon_shadow, horizon_speed,
-    markdown, run,
+    curved_effect, curved_pictures, curved_shadow, hemisphere_occlusion, hemisphere_paper, hemisphere_speed,
+    horizon_accuracy, horizon_curvature, horizon_shadow, horizon_speed, markdown, relief_search, relief_start, run,
 };
 use clap::{Parser, Subcommand};
 
@@ -115,6 +115,11 @@ fn records(block: Block, scale: Scale, cores: usize) -> Result<Vec<Record>> {
         Block::CurvatureInterpolation => curvature_between_vertices(scale, cores),
         Block::CurvatureAccuracy => curvature_of_meshes(scale, cores),
         Block::CurvatureSpeed => curvature_speeds(scale, cores),
+        Block::HemispherePaper => paper(scale, cores),
+        Block::ReliefSearch => searches(scale, cores),
+        Block::ReliefStart => starts(scale, cores),
+        Block::HemisphereOcclusion => occlusions(scale, cores),
+        Block::HemisphereSpeed => Ok(hemisphere_speed::measure(&hemisphere_speed::study(scale, cores), &mut announce)?),
     }
 }
 
@@ -196,6 +201,29 @@ fn curvature_speeds(scale: Scale, cores: usize) -> Result<Vec<Record>> {
         records.extend(curvature_speed::measure(&heat, &mut announce)?);
     }
     Ok(records)
+}
+
+fn paper(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    Ok(hemisphere_paper::measure(&hemisphere_paper::study(scale, &exec), &mut announce)?)
+}
+
+fn searches(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    let (study, scenes) = relief_search::parts(scale, &exec)?;
+    Ok(relief_search::measure(&study, &scenes, &mut announce)?)
+}
+
+fn starts(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    let (study, scenes) = relief_start::parts(scale, &exec)?;
+    Ok(run(&study, &scenes, &mut announce)?)
+}
+
+fn occlusions(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    let (study, scenes) = hemisphere_occlusion::parts(scale, &exec)?;
+    Ok(hemisphere_occlusion::measure(&study, &scenes, &mut announce)?)
 }
 
 /// Real terrain, as `samples/jacksboro.ron` describes it; a quick run does without.

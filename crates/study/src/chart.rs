@@ -8,13 +8,24 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::StudyError;
 
-/// Points joined by lines.
+/// Points joined by lines; one alone is a dot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// Its name in the legend.
     pub name: String,
     /// Its points, from left to right.
     pub points: Vec<(f64, f64)>,
+}
+
+/// Where the names of curves stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Legend {
+    /// For curves that rise.
+    UpperLeft,
+    /// For curves that fall.
+    UpperRight,
+    /// In room of its own, for curves that are everywhere.
+    Above,
 }
 
 /// Curves over one axis; both axes start at 0.
@@ -28,6 +39,8 @@ pub struct LineChart {
     pub up: String,
     /// The curves, in the order of the legend.
     pub curves: Vec<Curve>,
+    /// Where their names stand.
+    pub legend: Legend,
 }
 
 /// A surface over two axes, seen from above: a number and a colour for each pair of steps, blue above 0 and red below.
@@ -73,12 +86,17 @@ impl LineChart {
                     .fold(0.0, f64::max)
                     .max(f64::MIN_POSITIVE)
             };
+            let (room, corner) = match self.legend {
+                Legend::UpperLeft => (1.05, SeriesLabelPosition::UpperLeft),
+                Legend::UpperRight => (1.05, SeriesLabelPosition::UpperRight),
+                Legend::Above => (1.6, SeriesLabelPosition::UpperLeft),
+            };
             let mut chart = ChartBuilder::on(area)
                 .margin(12)
                 .caption(&self.title, (FONT, TITLE))
                 .x_label_area_size(40)
                 .y_label_area_size(52)
-                .build_cartesian_2d(0.0..most(|point| point.0), 0.0..1.05 * most(|point| point.1))?;
+                .build_cartesian_2d(0.0..most(|point| point.0), 0.0..room * most(|point| point.1))?;
             chart
                 .configure_mesh()
                 .light_line_style(TRANSPARENT)
@@ -92,10 +110,13 @@ impl LineChart {
                     .draw_series(LineSeries::new(curve.points.iter().copied(), style))?
                     .label(&curve.name)
                     .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
+                if let [point] = curve.points[..] {
+                    chart.draw_series([Circle::new(point, 4, colour.filled())])?;
+                }
             }
             chart
                 .configure_series_labels()
-                .position(SeriesLabelPosition::UpperLeft)
+                .position(corner)
                 .background_style(WHITE.mix(0.85))
                 .label_font((FONT, TEXT))
                 .draw()
@@ -207,14 +228,45 @@ mod tests {
         let curve = |name: &str, top| Curve { name: name.to_owned(), points: vec![(0.0, 0.0), (1.0, top)] };
         let words = ["title", "right", "up"].map(str::to_owned);
         let [title, across, up] = words.clone();
-        let svg = LineChart { title, across, up, curves: vec![curve("low", 1.0), curve("high", 2.0)] }.svg().unwrap();
+        let svg = LineChart {
+            title,
+            across,
+            up,
+            curves: vec![curve("low", 1.0), curve("high", 2.0)],
+            legend: Legend::UpperRight,
+        }
+        .svg()
+        .unwrap();
         assert!(words.iter().all(|word| svg.contains(word.as_str())));
         assert!(svg.contains("low") && svg.contains("high") && svg.contains("#000000") && svg.contains("#D55E00"));
     }
 
     #[test]
+    fn a_point_alone_is_seen() {
+        let curve = |points: Vec<(f64, f64)>| Curve { name: String::new(), points };
+        let svg = |points| {
+            LineChart {
+                title: String::new(),
+                across: String::new(),
+                up: String::new(),
+                curves: vec![curve(points)],
+                legend: Legend::Above,
+            }
+            .svg()
+        };
+        assert_eq!(svg(vec![(1.0, 2.0)]).unwrap().matches("<circle").count(), 1);
+        assert_eq!(svg(vec![(1.0, 2.0), (2.0, 3.0)]).unwrap().matches("<circle").count(), 0);
+    }
+
+    #[test]
     fn a_chart_of_nothing_is_still_a_chart() {
-        let empty = LineChart { title: String::new(), across: String::new(), up: String::new(), curves: Vec::new() };
+        let empty = LineChart {
+            title: String::new(),
+            across: String::new(),
+            up: String::new(),
+            curves: Vec::new(),
+            legend: Legend::UpperLeft,
+        };
         assert!(empty.svg().unwrap().starts_with("<svg"));
     }
 }

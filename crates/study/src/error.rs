@@ -1,7 +1,7 @@
 use barchan_asset::{DescriptorError, EncodeError};
 use barchan_bakers::BakeError;
 use barchan_field::FieldError;
-use barchan_shade::MismatchedTables;
+use barchan_shade::{MismatchedRelief, MismatchedTables};
 use thiserror::Error;
 
 /// Why a study cannot go on.
@@ -30,6 +30,9 @@ pub enum StudyError {
     /// Tables do not fit each other.
     #[error(transparent)]
     Tables(#[from] MismatchedTables),
+    /// A table for relief search is not of the relief.
+    #[error(transparent)]
+    Relief(#[from] MismatchedRelief),
     /// A mesh that is to be shaded has no texture coordinates.
     #[error("the mesh has no texture coordinates, so it has no fundamental forms")]
     NoTextureCoordinates,

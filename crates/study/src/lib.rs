@@ -19,7 +19,8 @@
 //! program behind `cargo xtask bench` is the example `study`. A technique is studied in a file of its own, named after
 //! it: [`horizon_speed`], [`horizon_accuracy`], [`horizon_shadow`], [`horizon_curvature`] of height fields,
 //! [`curved_effect`], [`curved_shadow`] of relief on curved surfaces, [`curvature_accuracy`], [`curvature_speed`],
-//! [`curvature_interpolation`] of meshes; how its records read in the docs is in [`report`], and as pictures in [`chart`].
+//! [`curvature_interpolation`] of meshes, [`hemisphere_paper`], [`relief_search`], [`relief_start`],
+//! [`hemisphere_occlusion`], [`hemisphere_speed`] of relief mapping; how its records read in the docs is in [`report`], and as pictures in [`chart`].
 
 pub mod bandwidth;
 pub mod chart;
@@ -34,6 +35,10 @@ pub mod curved_shadow;
 mod error;
 mod figure_tables;
 pub mod figures;
+pub mod hemisphere_occlusion;
+pub mod hemisphere_paper;
+pub mod hemisphere_spec;
+pub mod hemisphere_speed;
 pub mod horizon_accuracy;
 pub mod horizon_curvature;
 mod horizon_point;
@@ -41,14 +46,25 @@ pub mod horizon_shadow;
 pub mod horizon_speed;
 mod machine;
 pub mod markdown;
+mod occlusion_forms;
 mod points;
 mod reading;
 mod record;
+pub mod relief_method;
+mod relief_point;
+pub mod relief_rays;
+pub mod relief_search;
+mod relief_seeker;
+mod relief_shadow;
+pub mod relief_start;
+mod relief_tables;
+pub mod reliefs;
 pub mod report;
 mod runner;
 mod sample;
 pub mod scenes;
 mod setting;
+mod start_faults;
 mod tables;
 pub mod timer;
 pub mod triangle_forms;

@@ -61,6 +61,10 @@ pub struct Record {
     pub bake_seconds: Option<f64>,
     /// The least memory traffic the work needs, as a part of what the machine's memory was measured to carry, 0 … 1.
     pub bandwidth_share: Option<f64>,
+    /// Mean fetches of the height map per item: of a texel, or of the four of a bilinear cell.
+    pub height_fetches: Option<f64>,
+    /// Mean fetches of other tables per item.
+    pub table_fetches: Option<f64>,
 }
 
 /// What an error is an error of, its unit, and when it is wrong.
@@ -86,6 +90,15 @@ pub enum Quantity {
     Curvature,
     /// A principal direction, degrees.
     DirectionDegrees,
+    /// Depth of a ray's hit, as a part of the relief's thickness. Wrong where the true hit is passed by more than
+    /// [`relief_rays::TOLERANCE`](crate::relief_rays::TOLERANCE).
+    HitDepth,
+    /// Depth at which a search starts, likewise; `mean` is of the depths themselves. Wrong where it is behind the true hit.
+    StartDepth,
+    /// Light of an even sky that relief keeps away, 0 … 1.
+    Occlusion,
+    /// Shadow on relief: wrong where it is not that of a traced ray.
+    ReliefShadow,
 }
 
 /// What a time is divided by.
@@ -102,6 +115,8 @@ pub enum Item {
     Vertex,
     /// One byte read or written.
     Byte,
+    /// One ray into a relief; of a bake, one texel of the height map in one direction.
+    Ray,
 }
 
 /// Norms of errors.
@@ -204,6 +219,8 @@ impl Record {
             &mut self.wall_ns_spread,
             &mut self.bake_seconds,
             &mut self.bandwidth_share,
+            &mut self.height_fetches,
+            &mut self.table_fetches,
         ];
         for number in numbers.into_iter().flatten() {
             *number = five_digits(*number);

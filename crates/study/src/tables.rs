@@ -120,7 +120,7 @@ fn values(layers: &[Vec<BentLayer>]) -> (Vec<f32>, Vec<f32>) {
 }
 
 /// Lengths are only compared with each other here, so all units are the scene's.
-fn table_grid(grid: &Grid) -> TableGrid {
+pub(crate) fn table_grid(grid: &Grid) -> TableGrid {
     let wrap = match grid.edge {
         Edge::Wrap => Wrap::Repeat,
         Edge::Clamp => Wrap::Clamp,

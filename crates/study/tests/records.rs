@@ -6,7 +6,7 @@ use proptest::prelude::*;
 /// A column may be added at the end; a change here breaks every file of records that was ever written.
 const COLUMNS: &str = "technique,setting,scene,width,height,quantity,samples,wrong_share,rms,mean,p99,max,per,rounds,\
                        cpu_ns,cpu_ns_min,cpu_ns_spread,wall_ns,wall_ns_min,wall_ns_spread,fetches,bytes,bake_seconds,\
-                       bandwidth_share";
+                       bandwidth_share,height_fetches,table_fetches";
 
 fn file(records: Vec<Record>) -> RecordFile {
     RecordFile { machine: "a box, 2 cores".to_owned(), records }
@@ -35,7 +35,7 @@ fn the_machine_comes_first_then_the_columns_in_their_order() {
     assert_eq!(lines[..2], ["# machine: a box, 2 cores", COLUMNS]);
     assert_eq!(
         lines[2],
-        "horizon,method=sweep directions=32,dunes,512,256,elevation_degrees,1000,,0.33333,,,,texel_direction,,16.5,,,,,,,,,"
+        "horizon,method=sweep directions=32,dunes,512,256,elevation_degrees,1000,,0.33333,,,,texel_direction,,16.5,,,,,,,,,,,"
     );
     assert_eq!(lines.len(), 3);
 }
@@ -51,6 +51,13 @@ fn a_scene_may_be_called_anything() {
 fn a_machine_stays_in_its_line() {
     let written = RecordFile { machine: "two\nlines".to_owned(), records: vec![example()] }.to_csv().unwrap();
     assert_eq!(RecordFile::from_csv(&written).unwrap().machine, "two lines");
+}
+
+#[test]
+fn a_file_from_before_a_column_was_added_is_still_read() {
+    let text = "# machine: a box\ntechnique,setting,scene,width,height\nhorizon,method=sweep,dunes,512,256\n";
+    let read = RecordFile::from_csv(text).unwrap();
+    assert_eq!((read.records[0].width, read.records[0].height_fetches), (512, None));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Where curvature matters: two surfaces over curvature and period, a chart and a table over curvature.
 
 use super::numbers::{degrees, distinct, or_none, percent};
-use crate::chart::{Curve, HeatChart, LineChart};
+use crate::chart::{Curve, HeatChart, Legend, LineChart};
 use crate::markdown::Table;
 use crate::{Record, RecordFile, StudyError, reading};
 use barchan_shade::CurvedMethod;
@@ -79,6 +79,7 @@ fn over_curvature(file: &RecordFile, over: &Over) -> LineChart {
         across: "curvature κ of the base, per unit".to_owned(),
         up: over.up.to_owned(),
         curves: CurvedMethod::ALL.into_iter().map(curve).collect(),
+        legend: Legend::UpperLeft,
     }
 }
 

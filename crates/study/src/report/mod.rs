@@ -6,11 +6,17 @@ mod accuracy;
 mod curvature;
 mod curved;
 mod effect;
+mod hemisphere_occlusion;
+mod hemisphere_paper;
+mod hemisphere_speed;
 mod interpolation;
 mod mesh_accuracy;
 mod mesh_speed;
 mod numbers;
 mod promises;
+mod relief_search;
+mod relief_start;
+mod relief_words;
 mod shadow;
 mod speed;
 
@@ -37,11 +43,21 @@ pub enum Block {
     CurvatureAccuracy,
     /// How fast it is baked: [`curvature_speed`](crate::curvature_speed).
     CurvatureSpeed,
+    /// The paper's claims: [`hemisphere_paper`](crate::hemisphere_paper).
+    HemispherePaper,
+    /// All ways to find a hit: [`relief_search`](crate::relief_search).
+    ReliefSearch,
+    /// Where hemisphere depths let rays start: [`relief_start`](crate::relief_start).
+    ReliefStart,
+    /// Occlusion and shadow from them: [`hemisphere_occlusion`](crate::hemisphere_occlusion).
+    HemisphereOcclusion,
+    /// How fast they are baked: [`hemisphere_speed`](crate::hemisphere_speed).
+    HemisphereSpeed,
 }
 
 impl Block {
     /// Every block, in the order of the docs.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 14] = [
         Self::Bench,
         Self::Accuracy,
         Self::Shadow,
@@ -51,6 +67,11 @@ impl Block {
         Self::CurvatureInterpolation,
         Self::CurvatureAccuracy,
         Self::CurvatureSpeed,
+        Self::HemispherePaper,
+        Self::ReliefSearch,
+        Self::ReliefStart,
+        Self::HemisphereOcclusion,
+        Self::HemisphereSpeed,
     ];
 
     /// The name of the file, without `.csv`, and of the block.
@@ -66,6 +87,11 @@ impl Block {
             Self::CurvatureInterpolation => "curvature_interpolation",
             Self::CurvatureAccuracy => "curvature_accuracy",
             Self::CurvatureSpeed => "curvature_speed",
+            Self::HemispherePaper => "hemisphere_paper",
+            Self::ReliefSearch => "relief_search",
+            Self::ReliefStart => "relief_start",
+            Self::HemisphereOcclusion => "hemisphere_occlusion",
+            Self::HemisphereSpeed => "hemisphere_speed",
         }
     }
 
@@ -86,6 +112,11 @@ impl Block {
             Self::CurvatureInterpolation => interpolation::render(&file),
             Self::CurvatureAccuracy => mesh_accuracy::render(&file),
             Self::CurvatureSpeed => mesh_speed::render(&file),
+            Self::HemispherePaper => hemisphere_paper::render(&file),
+            Self::ReliefSearch => relief_search::render(&file),
+            Self::ReliefStart => relief_start::render(&file),
+            Self::HemisphereOcclusion => hemisphere_occlusion::render(&file),
+            Self::HemisphereSpeed => hemisphere_speed::render(&file),
         })
     }
 
@@ -96,6 +127,7 @@ impl Block {
     pub fn charts(self, csv: Option<&str>) -> Result<Vec<(&'static str, String)>, StudyError> {
         match (self, csv) {
             (Self::CurvedEffect, Some(csv)) => effect::charts(&RecordFile::from_csv(csv)?),
+            (Self::ReliefSearch, Some(csv)) => relief_search::charts(&RecordFile::from_csv(csv)?),
             _ => Ok(Vec::new()),
         }
     }
