@@ -19,6 +19,8 @@ mod mesh_provenance;
 mod mesh_recipe;
 mod pair;
 mod plan;
+mod plan_check;
+mod plan_report;
 mod provenance;
 mod recipe;
 mod relief;
@@ -45,6 +47,7 @@ pub use mesh_input::{MeshInput, generate_mesh, read_mesh_file};
 pub use mesh_provenance::{CurvatureProvenance, FlagCount, MendedMesh, MeshOrigin, MeshProvenance};
 pub use mesh_recipe::{CurvatureEncoding, CurvatureMethod, CurvatureRecipe, MeshFile, MeshSource, SurfaceSource};
 pub use plan::{Decision, Plan, PlannedTable};
+pub use plan_report::{PLAN_SCHEMA, PlanReport, PlannedGrid, TableOutline};
 pub use provenance::{
     CanonicalRecipe, EncodingProvenance, HorizonProvenance, InputProvenance, PROVENANCE_SCHEMA, Provenance,
     SkyProvenance, SweptProvenance,

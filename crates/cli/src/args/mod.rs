@@ -2,17 +2,21 @@
 
 mod bake;
 mod dump;
+mod plan;
 mod words;
 
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-pub(crate) use self::bake::{BakeArguments, BareArguments, HeightMapArguments, MeshArguments, MethodName};
+pub(crate) use self::bake::{
+    BakeArguments, BareArguments, HeightMapArguments, MeshArguments, MethodName, WantedArguments,
+};
 pub(crate) use self::dump::{
     ColouredBy, CurvatureDumpArguments, DumpArguments, DumpFormat, MeshPictureArguments, TextureDumpArguments,
     UpAxisName,
 };
+pub(crate) use self::plan::PlanArguments;
 use self::words::{elevation, finite, not_negative};
 
 /// Bakes relief and the curvature of meshes into tables that a shader can read.
@@ -35,6 +39,8 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 diff
 pub(crate) enum Command {
     /// Bake a recipe, a height map or a mesh into a .barchan file
     Bake(BakeArguments),
+    /// Show what a bake would bake, what it would leave out, and why
+    Plan(PlanArguments),
     /// Show what a .barchan file holds
     #[command(after_help = "Examples:
   barchan inspect dunes.barchan
