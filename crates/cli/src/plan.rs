@@ -40,7 +40,8 @@ fn counts_words(report: &PlanReport) -> String {
     let size = baked.map(|table| table.raw_bytes).try_fold(0_u64, |sum, bytes| Some(sum.saturating_add(bytes?)));
     let size = size.map(|size| format!(", {} before packing", bytes(size))).unwrap_or_default();
     let (bake, left_out, no_input) = (count("bake"), count("leave_out"), count("no_input"));
-    format!("{bake} tables to bake{size}; {left_out} left out, {no_input} without input")
+    let tables = if bake == 1 { "table" } else { "tables" };
+    format!("{bake} {tables} to bake{size}; {left_out} left out, {no_input} without input")
 }
 
 fn grid_words(grid: &PlannedGrid) -> String {
@@ -70,7 +71,7 @@ fn row(plan: &Plan, outline: &TableOutline) -> [String; 5] {
     [outline.table.to_owned(), decision.to_owned(), stored, size, outline.reason.to_owned()]
 }
 
-/// `R8_UNORM × 32 rings × 16 azimuths`; what only a bake finds out, in words.
+/// `R8_UNORM × 32 directions`, of a size of its own where that is not the heights'; what only a bake finds out, in words.
 fn stored_words(plan: &Plan, outline: &TableOutline) -> String {
     let TableOutline { format, layers, rings, candidates, mips, .. } = outline;
     if outline.table == Table::Curvature.name() {
@@ -84,19 +85,29 @@ fn stored_words(plan: &Plan, outline: &TableOutline) -> String {
     match mips {
         Some(mips) => {
             let counts = LayerCounts { layers, candidates, rings: *rings, mips: *mips };
-            format!("{format}{}", layer_words(counts))
+            format!("{format}{}{}", own_extent_words(outline), layer_words(counts))
         }
         None => format!("{format} × levels down to one texel"),
     }
 }
 
+/// The texels of a table that has not those of the heights, where they are known.
+fn own_extent_words(outline: &TableOutline) -> String {
+    match outline.width.zip(outline.height).filter(|_| outline.table == Table::Hemisphere.name()) {
+        Some((width, height)) => format!(", {width} × {height} texels"),
+        None => String::new(),
+    }
+}
+
 fn size_words(outline: &TableOutline) -> String {
     match (outline.raw_bytes, outline.bytes_per_texel) {
+        // As much as is certain.
+        (Some(size), _) if outline.layers.is_none() => format!("{} at least", bytes(size)),
         (Some(size), _) => bytes(size),
         (None, Some(size)) => format!("{} a texel", bytes(size)),
-        (None, None) if outline.table == Table::Curvature.name() => "by the mesh".to_owned(),
-        (None, None) if outline.layers.is_none() => "by the heights".to_owned(),
-        (None, None) => "by the map".to_owned(),
+        (None, None) if outline.table == Table::Curvature.name() => "needs the mesh".to_owned(),
+        (None, None) if outline.layers.is_none() => "needs a bake".to_owned(),
+        (None, None) => "needs the map".to_owned(),
     }
 }
 

@@ -1,6 +1,7 @@
 //! A recipe to a plan to an asset.
 //!
-//! [`Recipe`] is what a person wrote, parsed and spelled out. [`Plan`] is what will be baked, what is left out, and why.
+//! [`Recipe`] is what a person wrote, parsed and spelled out. [`Plan`] is what will be baked, what is left out, and why,
+//! which [`Plan::report`] says, and checks as far as that is possible, before an input is read.
 //! [`bake()`] carries a plan out: it writes a file, direction by direction, into whatever it is given, and returns a
 //! [`BakeReport`] of what was done, how long it took and how far the result is from the truth. Height maps are read here,
 //! through `barchan_import`; no file is opened for writing.

@@ -74,7 +74,8 @@ pub struct TableOutline {
     pub candidates: Option<u32>,
     /// Levels of a mip chain, `null` where only an input says it; else 1.
     pub mips: Option<u32>,
-    /// Bytes before packing, or what leaving it out saves; `null` where only a bake finds out.
+    /// Bytes before packing, or what leaving it out saves, of a swept table as much as is certain; `null` where only an input or a
+    /// bake says it.
     pub raw_bytes: Option<u64>,
     /// Bytes for every texel of the heights, all layers together; `null` where that is not known, or not how it is sized.
     pub bytes_per_texel: Option<u64>,

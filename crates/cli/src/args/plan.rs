@@ -6,8 +6,8 @@ use super::WantedArguments;
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Nothing is baked or written, and nothing is read but the recipe: sizes that only a height map or a mesh says are \
-left open. A recipe is refused as `bake` would refuse it, as far as that can be seen without its inputs.
+    after_help = "Nothing is baked or written, and no height map and no mesh is read: sizes that only they can say are left \
+open. A recipe is refused as `bake` would refuse it, as far as that can be seen without them.
 
 Examples:
   barchan plan samples/dunes.ron
