@@ -143,6 +143,16 @@ fn the_next_command_is_the_bake_of_the_same_words() {
     assert!(line.ends_with(" bake 'a plan.npy' --only height,cone_map --edge wrap"), "{line}");
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_name_that_is_no_text_is_planned_too() {
+    let place = Place::with("map.npy", npy(14, &noise(14, 11)));
+    let run =
+        place.shell("name=$(printf '\\377.npy'); cp map.npy \"$name\"; \"$BARCHAN\" plan \"$name\" --only height");
+    let failed = place.shell("\"$BARCHAN\" plan \"$(printf '\\376.npy')\"");
+    assert_eq!((run.code, failed.code), (Some(0), Some(4)), "{}", run.stderr);
+}
+
 #[test]
 fn every_sample_has_a_plan() {
     for recipe in files(&workspace("samples"), "ron") {

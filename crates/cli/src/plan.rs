@@ -124,7 +124,9 @@ fn columns(rows: &[[String; 5]]) -> String {
 
 /// The bake of this plan: the same words with another command.
 fn next_words() -> String {
-    let mut words: Vec<_> = std::env::args().filter(|word| word != "--json").collect();
+    // A name need not be UTF-8.
+    let words = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
+    let mut words: Vec<_> = words.filter(|word| word != "--json").collect();
     if let Some(command) = words.iter_mut().skip(1).find(|word| *word == "plan") {
         "bake".clone_into(command);
     }

@@ -34,6 +34,7 @@ fn check_relief(plan: &Plan, known: Option<&Grid>) -> Result<(), PipelineError> 
         return Ok(());
     }
     let mut horizon = relief::horizon_params(plan, &grid);
+    // How far a bake would search depends on how wide the map is.
     if known.is_none() && plan.recipe.horizon.radius.is_none() {
         horizon.radius = grid.spacing.u().min(grid.spacing.v());
     }
