@@ -9,6 +9,8 @@ mod mesh;
 mod mutations;
 #[path = "bad_input/output.rs"]
 mod output;
+#[path = "bad_input/plan.rs"]
+mod plan;
 #[path = "bad_input/recipe.rs"]
 mod recipe;
 mod support;

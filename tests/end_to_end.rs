@@ -12,6 +12,8 @@ mod height_map;
 mod mesh;
 #[path = "end_to_end/mesh_dump.rs"]
 mod mesh_dump;
+#[path = "end_to_end/plan.rs"]
+mod plan;
 #[path = "end_to_end/relief_search.rs"]
 mod relief_search;
 #[path = "end_to_end/relief_view.rs"]

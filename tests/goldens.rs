@@ -169,8 +169,9 @@ fn picture_is_golden(name: &str) {
 fn words_are_golden(name: &str) {
     let (place, bake) = baked(name);
     let gallery = Gallery::of_the_workspace();
+    let plan = place.ok(&format!("plan {name}.ron"));
     let inspect = place.ok(&format!("inspect {name}.barchan"));
-    for (command, words) in [("bake", masked(&bake)), ("inspect", inspect)] {
+    for (command, words) in [("plan", masked(&plan)), ("bake", masked(&bake)), ("inspect", inspect)] {
         gallery.words(&format!("{name}.{command}.txt"), &words).unwrap_or_else(|why| panic!("{why}"));
     }
 }

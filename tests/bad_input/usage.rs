@@ -14,7 +14,9 @@ fn usage_error(place: &Place, words: &str) -> String {
 #[test]
 fn asking_for_help_or_the_version_is_no_error() {
     let place = Place::new();
-    for words in ["--help", "-h", "help", "--version", "bake --help", "help dump", "render -h", "inspect --help"] {
+    for words in
+        ["--help", "-h", "help", "--version", "bake --help", "help dump", "render -h", "inspect --help", "plan --help"]
+    {
         assert_ne!(place.ok(words), "", "{words}");
     }
     assert!(place.ok("--help").contains("Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 difference found, 4 disk"));

@@ -11,6 +11,7 @@ mod failure;
 mod inspect;
 mod mesh_words;
 mod output;
+mod plan;
 mod png;
 mod progress;
 mod render;
@@ -59,6 +60,7 @@ fn run(arguments: &Arguments) -> Result<ExitStatus, Failure> {
     let Arguments { json, progress, .. } = *arguments;
     match &arguments.command {
         Command::Bake(bake) => bake::run(bake, progress, json),
+        Command::Plan(plan) => plan::run(plan, json),
         Command::Inspect(inspect) => inspect::run(inspect, json),
         Command::Dump(dump) => dump::run(dump, json),
         Command::Validate(validate) => validate::run(validate, json),

@@ -48,7 +48,17 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, ImportError> {
     read_regular(path).map_err(|cause| ImportError::Io { path: path.to_owned(), cause })
 }
 
+/// Whether there is a file that [`read_file`] would begin to read; nothing of it is.
+pub fn check_file(path: &Path) -> Result<(), ImportError> {
+    check_regular(path).map_err(|cause| ImportError::Io { path: path.to_owned(), cause })
+}
+
 pub(crate) fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
+    check_regular(path)?;
+    fs::read(path)
+}
+
+fn check_regular(path: &Path) -> io::Result<()> {
     let about = fs::metadata(path)?;
     if about.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
@@ -56,7 +66,7 @@ pub(crate) fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
     if !about.is_file() {
         return Err(io::Error::other("it is a pipe or a device; a file on disk is needed"));
     }
-    fs::read(path)
+    Ok(())
 }
 
 /// Decodes the bytes of a PNG, EXR, TIFF or NPY file. What is done to them is in the crate's documentation.

@@ -88,7 +88,7 @@ mod tiff;
 
 pub use detect::{Format, detect};
 pub use error::{DecodeError, ImportError};
-pub use height_map::{HeightMap, SourceInfo, decode_height_map, read_file, read_height_map};
+pub use height_map::{HeightMap, SourceInfo, check_file, decode_height_map, read_file, read_height_map};
 pub use mesh::{
     ImportedMesh, MeshError, MeshOptions, MeshSourceInfo, buffers_beside, decode_mesh, no_buffers, read_mesh,
 };

@@ -72,7 +72,11 @@ pub enum Fill {
 }
 
 impl HeightMapOptions {
-    pub(crate) fn check(&self) -> Result<(), DecodeError> {
+    /// Refuses what no file can make up for.
+    ///
+    /// # Errors
+    /// The first such option, its value, and what would be accepted.
+    pub fn check(&self) -> Result<(), DecodeError> {
         let accepted = "a finite number";
         for (field, value) in [("height_scale", self.height_scale), ("height_offset", self.height_offset)] {
             if !value.is_finite() {

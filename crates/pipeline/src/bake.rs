@@ -55,7 +55,7 @@ pub fn bake<W: Read + Write + Seek>(plan: &Plan, run: &Run<'_>, out: W) -> Resul
     let mut clock = Clock::new(run.progress);
     let inputs = Inputs::load(plan, run, &mut clock)?;
     let exec = Exec::new(run.threads).map_err(|error| refused("-j", error))?;
-    let mesh = inputs.mesh.as_ref().filter(|_| plan.bakes(Table::Curvature) || plan.sweeps_over_mesh());
+    let mesh = inputs.mesh.as_ref().filter(|_| plan.looks_at_mesh());
     // Before the relief, which may be swept over the curvatures of the mesh.
     let found = mesh.map(|mesh| curvature::find(plan, mesh, run, &mut clock)).transpose()?;
     let on_mesh = found.as_ref().filter(|_| plan.sweeps_over_mesh()).and_then(FoundCurvature::range);

@@ -1,6 +1,6 @@
 //! What a curvature table is made of, as plans and reports name it.
 
-use barchan_asset::{CurvatureColumn, LengthUnit};
+use barchan_asset::{CurvatureColumn, LengthUnit, VertexFormat};
 
 use crate::CurvatureEncoding;
 
@@ -61,9 +61,17 @@ impl CurvaturePart {
 
     /// What it takes per vertex.
     pub(crate) fn vertex_bytes(self, encoding: CurvatureEncoding) -> u64 {
-        let format = |column: &CurvatureColumn| column.formats()[usize::from(encoding == CurvatureEncoding::F16)];
-        self.columns().iter().map(|column| u64::from(format(column).stride())).sum()
+        self.columns().iter().map(|&column| u64::from(format(column, encoding).stride())).sum()
     }
+
+    /// How a vertex of its first column is stored.
+    pub(crate) fn format_name(self, encoding: CurvatureEncoding) -> &'static str {
+        format(self.columns()[0], encoding).name()
+    }
+}
+
+fn format(column: CurvatureColumn, encoding: CurvatureEncoding) -> VertexFormat {
+    column.formats()[usize::from(encoding == CurvatureEncoding::F16)]
 }
 
 /// The symbol of the unit of a column's numbers.

@@ -128,7 +128,7 @@ impl<'a> Swept<'a> {
 }
 
 /// A refusal of the swept baker, in the words of a recipe, which says in which unit an error is.
-fn refused_swept(error: BakeError) -> PipelineError {
+pub(crate) fn refused_swept(error: BakeError) -> PipelineError {
     let error = match error {
         BakeError::Parameter { name: "max_error", value, accepted } => {
             BakeError::Parameter { name: "max_error_degrees", value, accepted }
@@ -242,12 +242,17 @@ fn write_layer<W: Read + Write + Seek>(
     sink.layer(table, layer, values)
 }
 
+/// The tables of the sky that a plan asks for, in the baker's words.
+pub(crate) fn sky_params(plan: &Plan) -> SkyParams {
+    SkyParams {
+        visibility: plan.bakes(Table::SkyVisibility),
+        bent_normal: plan.bakes(Table::BentNormal),
+        aperture_cone: plan.bakes(Table::ApertureCone),
+    }
+}
+
 fn open_sky(task: Task<'_>) -> Result<Option<SkyAccumulator<'_>>, PipelineError> {
-    let asked = SkyParams {
-        visibility: task.plan.bakes(Table::SkyVisibility),
-        bent_normal: task.plan.bakes(Table::BentNormal),
-        aperture_cone: task.plan.bakes(Table::ApertureCone),
-    };
+    let asked = sky_params(task.plan);
     if asked == SkyParams::default() {
         return Ok(None);
     }

@@ -1,6 +1,7 @@
 //! A recipe to a plan to an asset.
 //!
-//! [`Recipe`] is what a person wrote, parsed and spelled out. [`Plan`] is what will be baked, what is left out, and why.
+//! [`Recipe`] is what a person wrote, parsed and spelled out. [`Plan`] is what will be baked, what is left out, and why,
+//! which [`Plan::report`] says, and checks as far as that is possible, before an input is read.
 //! [`bake()`] carries a plan out: it writes a file, direction by direction, into whatever it is given, and returns a
 //! [`BakeReport`] of what was done, how long it took and how far the result is from the truth. Height maps are read here,
 //! through `barchan_import`; no file is opened for writing.
@@ -19,6 +20,8 @@ mod mesh_provenance;
 mod mesh_recipe;
 mod pair;
 mod plan;
+mod plan_check;
+mod plan_report;
 mod provenance;
 mod recipe;
 mod relief;
@@ -45,6 +48,7 @@ pub use mesh_input::{MeshInput, generate_mesh, read_mesh_file};
 pub use mesh_provenance::{CurvatureProvenance, FlagCount, MendedMesh, MeshOrigin, MeshProvenance};
 pub use mesh_recipe::{CurvatureEncoding, CurvatureMethod, CurvatureRecipe, MeshFile, MeshSource, SurfaceSource};
 pub use plan::{Decision, Plan, PlannedTable};
+pub use plan_report::{PLAN_SCHEMA, PlanReport, PlannedGrid, TableOutline};
 pub use provenance::{
     CanonicalRecipe, EncodingProvenance, HorizonProvenance, InputProvenance, PROVENANCE_SCHEMA, Provenance,
     SkyProvenance, SweptProvenance,

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use barchan_field::{LengthUnit, Mesh};
-use barchan_import::{ImportError, MeshOptions, MeshSourceInfo, buffers_beside, decode_mesh, read_file};
+use barchan_import::{ImportError, MeshOptions, MeshSourceInfo, buffers_beside, check_file, decode_mesh, read_file};
 
 use crate::mesh_provenance::{MeshOrigin, MeshProvenance};
 use crate::report::MeshReport;
@@ -33,6 +33,29 @@ pub(crate) fn load(recipe: &Recipe, source: &MeshSource, folder: &Path) -> Resul
     }
 }
 
+/// Refuses what [`load`] would refuse before it reads a file or cuts a surface.
+pub(crate) fn foresee(source: &MeshSource, folder: &Path) -> Result<(), PipelineError> {
+    match source {
+        MeshSource::Surface(source) => {
+            let SurfaceSource { surface, tessellation } = source.as_ref();
+            surface.validate().and_then(|()| tessellation.validate()).map_err(PipelineError::Surface)
+        }
+        MeshSource::File(file) => Ok(check_file(&folder.join(&file.path))?),
+    }
+}
+
+/// A mesh in words, its file as a path from the current folder.
+pub(crate) fn words(source: &MeshSource, folder: &Path) -> String {
+    match source {
+        MeshSource::Surface(source) => surface_words(source),
+        MeshSource::File(file) => folder.join(&file.path).display().to_string(),
+    }
+}
+
+fn surface_words(source: &SurfaceSource) -> String {
+    format!("generated {}", source.surface.name())
+}
+
 /// Cuts a closed form into triangles.
 ///
 /// # Errors
@@ -46,7 +69,7 @@ pub fn generate_mesh(source: &SurfaceSource, unit: LengthUnit) -> Result<MeshInp
         unit,
         provenance: MeshProvenance { source: MeshOrigin::Surface(Box::new(*source)), vertices, triangles },
         report: MeshReport {
-            source: format!("generated {}", surface.name()),
+            source: surface_words(source),
             path: None,
             vertices,
             triangles,

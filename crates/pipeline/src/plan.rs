@@ -1,6 +1,6 @@
 //! What will be baked, what is left out, and why.
 
-use barchan_asset::Encoding;
+use barchan_asset::{Encoding, Format, Semantic};
 use barchan_bakers::horizon::Azimuths;
 use barchan_bakers::sky::MIN_SKY_DIRECTIONS;
 use barchan_bakers::swept::SweptParams;
@@ -38,6 +38,21 @@ pub enum Decision {
     /// The recipe has nothing to bake it from.
     NoInput,
 }
+
+impl Decision {
+    /// `bake`, `leave_out` or `no_input`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Bake => "bake",
+            Self::LeaveOut => "leave_out",
+            Self::NoInput => "no_input",
+        }
+    }
+}
+
+/// Why a table that was asked for is left out after all.
+pub(crate) const FLAT_ALONE: &str = "the flat horizon alone keeps the error asked for";
 
 impl Plan {
     /// Decides on every table. `only`, where given, overrides the scene, but not what there is to bake from.
@@ -101,6 +116,12 @@ impl Plan {
         self.recipe.mesh.is_some() && self.curvature().is_none() && self.swept_table().is_some()
     }
 
+    /// Whether anything is baked from the mesh.
+    #[must_use]
+    pub(crate) fn looks_at_mesh(&self) -> bool {
+        self.recipe.mesh.is_some() && (self.bakes(Table::Curvature) || self.sweeps_over_mesh())
+    }
+
     /// From where rays come: what the scene says of relief mapping, or what is taken where nobody says.
     #[must_use]
     pub fn relief_mapping(&self) -> ReliefMapping {
@@ -131,10 +152,11 @@ impl Plan {
     /// as are certain.
     pub(crate) fn texels(&self, table: Table, grid: &Grid) -> u64 {
         let Recipe { horizon, curved, hemisphere, .. } = &self.recipe;
-        let (texels, directions) = (grid.texels() as u64, u64::from(horizon.directions));
+        let texels = grid.texels() as u64;
+        let layers = texels.saturating_mul(horizon.directions.into());
         match table {
-            Table::Horizon | Table::Distance => texels * directions,
-            table if table.is_swept() => texels * directions * u64::from(curved.points.unwrap_or(2).saturating_sub(1)),
+            Table::Horizon | Table::Distance => layers,
+            table if table.is_swept() => layers.saturating_mul(curved.points.unwrap_or(2).saturating_sub(1).into()),
             Table::Hemisphere => {
                 let (width, height) = hemisphere.size_for(grid.width, grid.height);
                 let factors = [width, height, hemisphere.rings, hemisphere.azimuths];
@@ -147,6 +169,17 @@ impl Plan {
             }
             _ => texels,
         }
+    }
+
+    /// What a texture takes or would take, not counting what aligns it; `None` of what is no texture.
+    pub(crate) fn tight_bytes(&self, table: Table, grid: &Grid) -> Option<u64> {
+        let texel_bytes = self.format(table)?.texel_bytes();
+        Some(self.texels(table, grid).saturating_mul(texel_bytes.into()))
+    }
+
+    /// The format of a texture's texels; `None` of what is no texture.
+    pub(crate) fn format(&self, table: Table) -> Option<Format> {
+        Semantic::of_kind(table.kind()).map(|semantic| self.encoding(table).format(semantic))
     }
 
     /// How a table is stored, or would be.

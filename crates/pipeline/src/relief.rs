@@ -5,7 +5,7 @@ use std::io::{Read, Seek, Write};
 use barchan_asset::HeightTable;
 use barchan_bakers::Exec;
 use barchan_bakers::horizon::HorizonParams;
-use barchan_field::HeightField;
+use barchan_field::{Grid, HeightField};
 
 use crate::directions::{self, Task};
 use crate::layout::table_grid;
@@ -35,11 +35,11 @@ pub(crate) fn bake<W: Read + Write + Seek>(
     sink: &mut Sink<'_, W>,
 ) -> Result<ReliefDone, PipelineError> {
     // What takes long comes in between.
-    search_params::check(plan, field)?;
+    search_params::check(plan, field.grid(), true)?;
     let stored = store_heights(plan, field, sink)?;
     let mut done = ReliefDone::default();
     if plan.needs_horizon() {
-        let params = horizon_params(plan, field);
+        let params = horizon_params(plan, field.grid());
         let on_mesh = on_mesh.map(|range| MeshRange::new(range, field.grid(), params.radius));
         let curvature = plan.curvature().or(on_mesh.as_ref().map(|range| range.swept));
         let directions = directions::bake(Task { plan, field, params: &params, curvature, exec }, sink)?;
@@ -70,11 +70,12 @@ fn store_heights<W: Read + Write + Seek>(
     is_searched.then(|| relief_search::as_stored(field, &encoded)).transpose()
 }
 
-fn horizon_params(plan: &Plan, field: &HeightField) -> HorizonParams {
+/// The horizon that a plan asks for over a grid, in the baker's words.
+pub(crate) fn horizon_params(plan: &Plan, grid: &Grid) -> HorizonParams {
     let horizon = &plan.recipe.horizon;
     HorizonParams {
         azimuths: horizon.azimuths(),
-        radius: horizon.radius.unwrap_or_else(|| HorizonParams::default_radius(field.grid())),
+        radius: horizon.radius.unwrap_or_else(|| HorizonParams::default_radius(grid)),
         distance: plan.bakes(Table::Distance),
         method: horizon.method.into(),
     }

@@ -2,13 +2,14 @@
 
 use std::path::PathBuf;
 
-use barchan_asset::{Finished, SectionKind, Semantic};
+use barchan_asset::{Finished, SectionKind};
 use barchan_field::HeightField;
 use serde::Serialize;
 
 use crate::bake::Inputs;
 use crate::curvature::WrittenCurvature;
 use crate::curvature_part::column_unit;
+use crate::plan::FLAT_ALONE;
 use crate::provenance::{HorizonProvenance, Provenance, SweptProvenance};
 use crate::search_provenance::ReliefSearchProvenance;
 use crate::sink::WrittenTable;
@@ -274,11 +275,9 @@ impl Facts<'_> {
         }
         let reason = match decision {
             Decision::LeaveOut | Decision::NoInput => reason,
-            Decision::Bake => "the flat horizon alone keeps the error asked for",
+            Decision::Bake => FLAT_ALONE,
         };
-        let texels = self.plan.texels(table, field.grid());
-        let texel_bytes = self.plan.encoding(table).format(Semantic::of_kind(table.kind())?).texel_bytes();
-        let bytes_saved = texels.saturating_mul(u64::from(texel_bytes));
+        let bytes_saved = self.plan.tight_bytes(table, field.grid())?;
         Some(LeftOut { table: table.name(), reason, bytes_saved })
     }
 }

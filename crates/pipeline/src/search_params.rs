@@ -3,17 +3,19 @@
 use barchan_asset::{Azimuths, HemisphereDirections};
 use barchan_bakers::BakeError;
 use barchan_bakers::hemisphere::HemisphereParams;
-use barchan_field::{Grid, HeightField};
+use barchan_field::Grid;
 
 use crate::error::refused;
 use crate::{PipelineError, Plan, ReliefMapping, Table};
 
-/// Refuses what no hemisphere table can be, before anything is baked.
-pub(crate) fn check(plan: &Plan, field: &HeightField) -> Result<(), PipelineError> {
+/// Refuses what no hemisphere table can be, before anything is baked: over a grid, or as far as it goes where there is only a
+/// stand-in for it.
+pub(crate) fn check(plan: &Plan, grid: &Grid, is_known: bool) -> Result<(), PipelineError> {
     if !plan.bakes(Table::Hemisphere) {
         return Ok(());
     }
-    hemisphere_params(plan, field.grid())?.check(field).map_err(refused_hemisphere)
+    let params = hemisphere_params(plan, grid)?;
+    params.check_over(is_known.then_some(grid)).map_err(refused_hemisphere)
 }
 
 /// Rings and azimuths are as many as the recipe says, and cover what the scene says that eyes and lights can stand in: those that

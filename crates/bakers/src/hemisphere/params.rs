@@ -23,8 +23,16 @@ pub struct HemisphereParams {
 impl HemisphereParams {
     /// Refuses directions that no table can hold and a target that the field cannot fill.
     pub fn check(&self, field: &HeightField) -> Result<(), BakeError> {
+        self.check_over(Some(field.grid()))
+    }
+
+    /// [`Self::check`] without heights: over their grid, or as far as it goes where that is not known.
+    ///
+    /// # Errors
+    /// The parameter, its value, and what would be accepted.
+    pub fn check_over(&self, grid: Option<&Grid>) -> Result<(), BakeError> {
         check_directions(&self.directions)?;
-        self.check_size(field.grid())
+        self.check_size(grid)
     }
 
     /// Names the algorithm in provenance. It changes when a bake's bytes do.
@@ -41,19 +49,19 @@ impl HemisphereParams {
         self.width as usize * self.height as usize
     }
 
-    fn check_size(&self, grid: &Grid) -> Result<(), BakeError> {
-        let refuse = |accepted| {
-            let value =
-                format!("{} × {} for a height map of {} × {}", self.width, self.height, grid.width, grid.height);
-            Err(BakeError::Parameter { name: "size", value, accepted })
-        };
-        if self.width == 0 || self.height == 0 {
-            return refuse("at least 1 texel along each side is accepted");
+    fn check_size(&self, grid: Option<&Grid>) -> Result<(), BakeError> {
+        let Self { width, height, .. } = *self;
+        let refuse = |value, accepted| Err(BakeError::Parameter { name: "size", value, accepted });
+        if width == 0 || height == 0 {
+            return refuse(format!("{width} × {height}"), "at least 1 texel along each side is accepted");
         }
-        if self.width > grid.width || self.height > grid.height {
-            return refuse("no more texels along a side than the height map has are accepted");
+        match grid {
+            Some(grid) if width > grid.width || height > grid.height => refuse(
+                format!("{width} × {height} for a height map of {} × {}", grid.width, grid.height),
+                "no more texels along a side than the height map has are accepted",
+            ),
+            _ => Ok(()),
         }
-        Ok(())
     }
 }
 

@@ -70,7 +70,14 @@ impl HorizonParams {
 
     /// Refuses parameters out of range and a field without relief to look at.
     pub fn check(&self, field: &HeightField) -> Result<(), BakeError> {
-        let grid = field.grid();
+        self.check_over(field.grid())
+    }
+
+    /// [`Self::check`] without heights: their grid is enough.
+    ///
+    /// # Errors
+    /// The parameter, its value, and what would be accepted.
+    pub fn check_over(&self, grid: &Grid) -> Result<(), BakeError> {
         if grid.texels() < 2 {
             return Err(BakeError::Field {
                 width: grid.width,

@@ -21,6 +21,14 @@ impl SkyParams {
     /// All three tables.
     pub const ALL: Self = Self { visibility: true, bent_normal: true, aperture_cone: true };
 
+    /// Refuses azimuths that no sky can be summed over; where no table is asked for, none.
+    ///
+    /// # Errors
+    /// The parameter, its value, and what would be accepted.
+    pub fn check(&self, azimuths: &Azimuths) -> Result<(), BakeError> {
+        if *self == Self::default() { Ok(()) } else { check_azimuths(azimuths) }
+    }
+
     /// Sums kept per texel.
     pub(crate) fn planes(self) -> usize {
         usize::from(self.visibility) + 3 * usize::from(self.bent_normal) + 4 * usize::from(self.aperture_cone)

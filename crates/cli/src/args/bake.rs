@@ -22,18 +22,25 @@ use super::words::{
   barchan bake rock.png --height-scale 12 --only height,hemisphere,cone_map --rings 16 --size 32
   barchan bake elevation.tif --integers raw --spacing 74,93 --unit metre --radius 20000 --json")]
 pub(crate) struct BakeArguments {
-    /// A recipe (.ron), a height map (PNG, EXR, TIFF, NPY) or a mesh (OBJ, PLY, glTF)
-    pub(crate) input: PathBuf,
     /// Where to write [default: the input's name with .barchan, in this folder]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+    /// Worker threads, at most 1024; 0 is one per core
+    #[arg(short = 'j', long, value_name = "N", default_value_t = 0, value_parser = jobs)]
+    pub(crate) jobs: usize,
+    #[command(flatten)]
+    pub(crate) wanted: WantedArguments,
+}
+
+/// What is to be baked, of a recipe or of a bare file.
+#[derive(Debug, Args)]
+pub(crate) struct WantedArguments {
+    /// A recipe (.ron), a height map (PNG, EXR, TIFF, NPY) or a mesh (OBJ, PLY, glTF)
+    pub(crate) input: PathBuf,
     /// Bake these tables and no others: height, horizon, distance, swept_horizon, swept_distance, sky_visibility,
     /// bent_normal, aperture_cone, hemisphere, cone_map, relaxed_cone_map, maximum_mip; of a mesh: curvature
     #[arg(long, value_name = "TABLE,..", value_delimiter = ',', value_parser = table)]
     pub(crate) only: Option<Vec<Table>>,
-    /// Worker threads, at most 1024; 0 is one per core
-    #[arg(short = 'j', long, value_name = "N", default_value_t = 0, value_parser = jobs)]
-    pub(crate) jobs: usize,
     #[command(flatten)]
     pub(crate) bare: BareArguments,
     #[command(flatten)]

@@ -2,6 +2,7 @@
 
 mod bake;
 mod dump;
+mod plan;
 mod render;
 mod words;
 
@@ -9,11 +10,14 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-pub(crate) use self::bake::{BakeArguments, BareArguments, HeightMapArguments, MeshArguments, MethodName};
+pub(crate) use self::bake::{
+    BakeArguments, BareArguments, HeightMapArguments, MeshArguments, MethodName, WantedArguments,
+};
 pub(crate) use self::dump::{
     ColouredBy, CurvatureDumpArguments, DumpArguments, DumpFormat, MeshPictureArguments, TextureDumpArguments,
     UpAxisName,
 };
+pub(crate) use self::plan::PlanArguments;
 pub(crate) use self::render::{BaseName, RenderArguments, SearchName, StartName};
 use self::words::not_negative;
 
@@ -37,6 +41,8 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 diff
 pub(crate) enum Command {
     /// Bake a recipe, a height map or a mesh into a .barchan file
     Bake(BakeArguments),
+    /// Show what a bake would bake, what it would leave out, and why
+    Plan(PlanArguments),
     /// Show what a .barchan file holds
     #[command(after_help = "Examples:
   barchan inspect dunes.barchan

@@ -1,4 +1,5 @@
-//! What is to be baked: the recipe that was named, or the one that the flags spell for a bare height map or mesh.
+//! What is to be baked: the recipe that was named, or the one that the flags spell for a bare height map or mesh. `bake` and `plan`
+//! have it from here.
 
 use std::fs::File;
 use std::io::Read;
@@ -6,18 +7,44 @@ use std::path::{Path, PathBuf};
 
 use barchan_import::{Format, detect};
 use barchan_pipeline::{
-    CurvatureEncoding, HeightMapSource, MeshFile, MeshSource, Recipe, RecipeError, Source, TableEncoding,
+    CurvatureEncoding, HeightMapSource, MeshFile, MeshSource, PipelineError, Plan, Recipe, RecipeError, Source,
+    TableEncoding,
 };
 
-use crate::args::{BakeArguments, BareArguments, HeightMapArguments, MeshArguments, MethodName};
+use crate::args::{BareArguments, HeightMapArguments, MeshArguments, MethodName, WantedArguments};
 use crate::failure::Failure;
 
-pub(super) fn is_recipe(input: &Path) -> bool {
+/// From words to a decision on every table.
+pub(crate) fn plan(arguments: &WantedArguments) -> Result<Plan, Failure> {
+    Ok(Plan::new(recipe(arguments)?, arguments.only.as_deref()))
+}
+
+/// Where paths start: a bare file's is as typed, a recipe's at the recipe.
+pub(crate) fn folder(input: &Path) -> &Path {
+    input.parent().filter(|_| is_recipe(input)).unwrap_or(Path::new(""))
+}
+
+/// An import error names its file; any other complaint is about the file that was typed, or about --only where that file is no
+/// recipe.
+pub(crate) fn refused(input: &Path, error: PipelineError) -> Failure {
+    match error {
+        PipelineError::NoCurvature { table } if !is_recipe(input) => {
+            let input = input.display();
+            Failure::Usage(format!("{input}: {table} needs a recipe that names `scene: (curvature: (min, max))`"))
+        }
+        error @ PipelineError::NoInput { .. } => Failure::Usage(format!("{}: {error}", input.display())),
+        error @ PipelineError::Import(_) => error.into(),
+        error if error.is_io() => Failure::Io(format!("{}: {error}", input.display())),
+        error => Failure::content(input, error),
+    }
+}
+
+fn is_recipe(input: &Path) -> bool {
     input.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("ron"))
 }
 
 /// The recipe to bake. What a bare file is, its bytes tell.
-pub(super) fn recipe(arguments: &BakeArguments) -> Result<Recipe, Failure> {
+fn recipe(arguments: &WantedArguments) -> Result<Recipe, Failure> {
     let input = &arguments.input;
     if is_recipe(input) {
         return match first_flag(arguments) {
@@ -104,7 +131,7 @@ fn bare_height_map(path: PathBuf, bare: &BareArguments, flags: &HeightMapArgumen
 }
 
 /// The recipe that the flags spell for a mesh.
-fn bare_mesh(arguments: &BakeArguments) -> Result<Recipe, Failure> {
+fn bare_mesh(arguments: &WantedArguments) -> Result<Recipe, Failure> {
     let bare = &arguments.bare;
     let file = MeshFile { path: arguments.input.clone(), mesh: arguments.mesh.mesh.clone() };
     let mut recipe = Recipe::bare_mesh(MeshSource::File(file));
@@ -139,7 +166,7 @@ fn wrong_method(method: MethodName, accepted: &str) -> Failure {
 }
 
 /// A flag that was typed though a recipe says it, and what it is for.
-fn first_flag(arguments: &BakeArguments) -> Option<(&'static str, &'static str)> {
+fn first_flag(arguments: &WantedArguments) -> Option<(&'static str, &'static str)> {
     let bare = &arguments.bare;
     let common = first_typed(&[
         ("--method", bare.method.is_some()),

@@ -191,12 +191,8 @@ impl Shape {
 
     /// The surface sampled at the texel centres of `grid`.
     pub fn rasterize(&self, grid: Grid) -> Result<HeightField, FieldError> {
+        self.check_over(&grid)?;
         let Grid { width, height, .. } = grid;
-        if width == 0 || height == 0 {
-            return Err(FieldError::Empty { width, height });
-        }
-        self.validate()?;
-        self.validate_over(&grid)?;
         let surface = self.surface(&grid);
         let mut samples = Vec::with_capacity(grid.texels());
         for row in 0..height {
@@ -204,6 +200,19 @@ impl Shape {
             samples.extend((0..width).map(|column| surface((f64::from(column) + 0.5) / f64::from(width), v) as f32));
         }
         HeightField::new(grid, samples)
+    }
+
+    /// Refuses what [`Shape::rasterize`] does before it computes a height.
+    ///
+    /// # Errors
+    /// A grid without texels, and parameters out of range for it, naming the first.
+    pub fn check_over(&self, grid: &Grid) -> Result<(), FieldError> {
+        let Grid { width, height, .. } = *grid;
+        if width == 0 || height == 0 {
+            return Err(FieldError::Empty { width, height });
+        }
+        self.validate()?;
+        self.validate_over(grid)
     }
 
     /// What only the extents of the tile can refuse.
