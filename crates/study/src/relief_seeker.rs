@@ -1,6 +1,6 @@
 //! A start and a search put together, and how far its hits are from the truth.
 
-use barchan_shade::{DepthMapStart, Found, ReliefRay, ReliefSearch, Start};
+use barchan_shade::{DepthMapStart, Found, ReliefRoad, ReliefSearch};
 
 use crate::relief_rays::{Sight, TOLERANCE};
 use crate::timer::{Contestant, Pace, Timing, race};
@@ -14,17 +14,14 @@ pub(crate) struct Seeker<'a> {
 }
 
 impl Seeker<'_> {
-    pub(crate) fn start(&self, ray: &ReliefRay) -> Start {
-        self.start.as_ref().map_or(Start::TOP, |map| map.start(ray))
-    }
-
-    pub(crate) fn find(&self, ray: &ReliefRay) -> Found {
-        self.search.find(ray, self.start(ray))
+    pub(crate) fn road(&self) -> ReliefRoad<'_> {
+        ReliefRoad { depth_map: self.start.as_ref(), search: &*self.search }
     }
 
     /// The record with errors and fetches.
     pub(crate) fn judge(&self, record: Record, sights: &[Sight]) -> Record {
-        let found: Vec<Found> = sights.iter().map(|sight| self.find(&sight.ray)).collect();
+        let road = self.road();
+        let found: Vec<Found> = sights.iter().map(|sight| road.find(&sight.ray)).collect();
         let errors: Vec<f64> = found.iter().zip(sights).map(|(found, sight)| found.depth - sight.hit).collect();
         let count = sights.len() as f64;
         let missed = errors.iter().filter(|error| **error > TOLERANCE).count();
@@ -40,8 +37,9 @@ impl Seeker<'_> {
 
     /// The RMS error alone.
     pub(crate) fn rms(&self, sights: &[Sight]) -> f64 {
+        let road = self.road();
         let squares = sights.iter().map(|sight| {
-            let error = self.find(&sight.ray).depth - sight.hit;
+            let error = road.find(&sight.ray).depth - sight.hit;
             error * error
         });
         (squares.sum::<f64>() / sights.len() as f64).sqrt()
@@ -57,7 +55,8 @@ pub(crate) fn timings(seekers: &[Seeker<'_>], sights: &[Sight], pace: &Pace) -> 
 
 /// All hits of one seeker, added up so that none is left out.
 fn run(seeker: &Seeker<'_>, sights: &[Sight]) -> f64 {
-    sights.iter().map(|sight| seeker.find(&sight.ray).depth).sum()
+    let road = seeker.road();
+    sights.iter().map(|sight| road.find(&sight.ray).depth).sum()
 }
 
 /// Records with the times of their seekers.

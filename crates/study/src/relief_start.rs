@@ -164,7 +164,7 @@ impl Truth {
 
 /// The record with the starts: how deep, and how many behind the true hit.
 fn starts(record: Record, seeker: &Seeker<'_>, sights: &[Sight]) -> Record {
-    let depths: Vec<f64> = sights.iter().map(|sight| seeker.start(&sight.ray).depth).collect();
+    let depths: Vec<f64> = sights.iter().map(|sight| seeker.road().start(&sight.ray).depth).collect();
     let errors: Vec<f64> = depths.iter().zip(sights).map(|(depth, sight)| depth - sight.hit).collect();
     let count = sights.len() as f64;
     let behind = errors.iter().filter(|error| **error > 0.0).count();

@@ -45,7 +45,7 @@ pub(crate) fn of(
 }
 
 fn fault(seeker: &Seeker<'_>, relief: &Relief<'_>, sight: &Sight) -> Option<Fault> {
-    let start = seeker.start(&sight.ray).depth;
+    let start = seeker.road().start(&sight.ray).depth;
     if start <= sight.hit {
         return None;
     }
@@ -53,6 +53,6 @@ fn fault(seeker: &Seeker<'_>, relief: &Relief<'_>, sight: &Sight) -> Option<Faul
     if relief.depth_at(x, y) > start {
         return Some(Fault::Tunnel);
     }
-    let is_passed = seeker.find(&sight.ray).depth > sight.hit + TOLERANCE;
+    let is_passed = seeker.road().find(&sight.ray).depth > sight.hit + TOLERANCE;
     Some(if is_passed { Fault::WrongWayBack } else { Fault::Inside })
 }
