@@ -1,21 +1,22 @@
-//! The cells that the rays of a footprint reach in a slab: row by row, from column to column.
+//! The parts of cells that the rays of a footprint reach in a slab: row by row, from column to column.
 //!
-//! A place p is reached where p − q lies in the footprint for some way q of the sector. A cell is reached where one of its places is. Of
-//! a row of cells that is so for the ways between two horizontal lines, as far apart as the cell and the footprint are high; between their
-//! least and their greatest column, widened by the footprint, lie the cells that are reached.
+//! A place p is reached where p − q lies in the footprint for some way q of the sector. A part is reached where one of its places is. Of
+//! a row of parts that is so for the ways between two horizontal lines, as far apart as the part and the footprint are high; between their
+//! least and their greatest column, widened by the footprint, lie the parts that are reached. Columns and rows are those of
+//! parts throughout: a texel is s of them wide, and its footprint begins s/2 of them before its centre.
 
 use std::ops::Range;
 
 use barchan_field::Edge;
 
-use super::cells::Cells;
+use super::cells::{Axis, Cells};
 use super::sector::{Quadrilateral, Sector};
 use super::{Target, slabs};
 
 /// By how much a footprint is widened on each side, as a part of a texel of the table.
 const MARGIN: f64 = 1.0 / (1 << 10) as f64;
 
-/// In texels: beyond it f64 no longer tells a margin.
+/// In parts: beyond it f64 no longer tells a margin.
 const FARTHEST: f64 = (1_u64 << 40) as f64;
 
 /// What the rays of one layer reach.
@@ -23,12 +24,14 @@ pub(super) struct Reach {
     edge: Edge,
     width: i64,
     height: i64,
+    /// From where the footprint of a texel begins to its centre, in parts.
+    half: f64,
     sector: Sector,
     /// In columns and rows.
     margin: (f64, f64),
 }
 
-/// Neighbouring cells of one row, relative to the first texel of a footprint. Within the field's width of it on both sides.
+/// Neighbouring parts of one row, relative to the first one of a footprint. Within the field's width of it on both sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Span {
     pub(super) row: i64,
@@ -38,24 +41,25 @@ pub(super) struct Span {
 
 impl Reach {
     pub(super) fn new(cells: &Cells, target: Target, sector: Sector) -> Self {
-        let grid = cells.grid();
-        let margin = |source: u32, target: u32| MARGIN * f64::from(source) / f64::from(target);
+        let (columns, rows) = (cells.columns(), cells.rows());
+        let margin = |source: Axis, target: u32| MARGIN * f64::from(source.length()) / f64::from(target);
         Self {
-            edge: grid.edge,
-            width: i64::from(grid.width),
-            height: i64::from(grid.height),
+            edge: columns.edge,
+            width: i64::from(columns.length()),
+            height: i64::from(rows.length()),
+            half: 0.5 * f64::from(columns.parts),
             sector,
-            margin: (margin(grid.width, target.width), margin(grid.height, target.height)),
+            margin: (margin(columns, target.width), margin(rows, target.height)),
         }
     }
 
-    /// The cells reached in a slab from a footprint one texel wide and `rows` texels high, in order.
+    /// What is reached in a slab from a footprint one part wide and `rows` parts high, in order.
     pub(super) fn spans(&self, slab: usize, rows: u32) -> Vec<Span> {
         let depths = slabs::start(slab)..slabs::end(slab);
         let mut spans = Vec::new();
         for piece in self.sector.pieces(depths) {
-            // A row of cells sees ways so much above it and so much below.
-            let (above, below) = (f64::from(rows) - 0.5 + self.margin.1, 1.5 + self.margin.1);
+            // A row of parts sees ways so much above it and so much below.
+            let (above, below) = (f64::from(rows) - self.half + self.margin.1, 1.0 + self.half + self.margin.1);
             let (top, bottom) = piece
                 .iter()
                 .fold((f64::INFINITY, f64::NEG_INFINITY), |(top, bottom), &(_, row)| (top.min(row), bottom.max(row)));
@@ -75,7 +79,7 @@ impl Reach {
         self.joined(spans)
     }
 
-    /// Whether a piece lies so far over a repeated field, or over so many of its repetitions, that its cells are not told apart.
+    /// Whether a piece lies so far over a repeated field, or over so many of its repetitions, that its parts are not told apart.
     fn is_too_far(&self, piece: &Quadrilateral) -> bool {
         let rows = || piece.iter().map(|&(_, row)| row);
         let height = rows().fold(f64::NEG_INFINITY, f64::max) - rows().fold(f64::INFINITY, f64::min);
@@ -84,13 +88,13 @@ impl Reach {
     }
 
     fn span(&self, row: i64, ways: Range<f64>) -> Span {
-        let widened = 0.5 + self.margin.0;
-        Span { row, first: (ways.start - widened).floor() as i64, last: (ways.end + widened).floor() as i64 }
+        let (left, right) = (self.half + self.margin.0, 1.0 - self.half + self.margin.0);
+        Span { row, first: (ways.start - left).floor() as i64, last: (ways.end + right).floor() as i64 }
     }
 
-    /// On a clamped axis no cell is further than the field is long.
-    fn clip(&self, cell: i64, size: i64) -> i64 {
-        if self.edge == Edge::Clamp { cell.clamp(-size, size) } else { cell }
+    /// On a clamped axis no part is further than the field is long.
+    fn clip(&self, part: i64, size: i64) -> i64 {
+        if self.edge == Edge::Clamp { part.clamp(-size, size) } else { part }
     }
 
     fn everything(&self) -> Vec<Span> {
@@ -113,7 +117,7 @@ impl Reach {
         spans
     }
 
-    /// The same cells, no further than the field's width.
+    /// The same parts, no further than the field's width.
     fn near(&self, span: Span) -> Span {
         let Span { row, first, last } = span;
         let width = self.width;

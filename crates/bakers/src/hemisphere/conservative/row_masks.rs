@@ -1,16 +1,16 @@
-//! One bit per cell: whether it is high enough in the slab at hand; and per run of 2ᵏ cells: whether one of them is.
+//! One bit per part of a cell: whether it is high enough in the slab at hand; and per run of 2ᵏ parts: whether one of them is.
 //!
-//! A row of masks is three fields wide, so that a footprint in any column finds its cells a field's width to both sides without asking for the
-//! edge policy: bit b is cell b − width.
+//! A row of masks is three fields wide, so that a footprint in any column finds its parts a field's width to both sides without asking for the
+//! edge policy: bit b is part b − width.
 
 use std::ops::Range;
 
 use barchan_field::Edge;
 
-use super::cells::{Cells, first};
+use super::cells::{Axis, Cells};
 use super::reach::Span;
 
-/// Masks of all rows of cells, brought up to date where they are asked for.
+/// Masks of all rows of parts, brought up to date where they are asked for.
 pub(super) struct RowMasks<'a> {
     cells: &'a Cells,
     width: usize,
@@ -23,18 +23,18 @@ pub(super) struct RowMasks<'a> {
     asked: Range<usize>,
 }
 
-/// The masks of a row of cells.
+/// The masks of a row of parts.
 #[derive(Clone, Default)]
 struct Row {
-    /// How many cells have been set.
+    /// How many parts have been set.
     set: usize,
     /// The slab for which the runs have been formed.
     formed_for: Option<usize>,
-    /// `[k][word]`: bit b of k is that one of the 2ᵏ cells from b on is high enough.
+    /// `[k][word]`: bit b of k is that one of the 2ᵏ parts from b on is high enough.
     runs: Vec<u64>,
 }
 
-/// Whether one of the cells of a span is high enough, for all columns at once.
+/// Whether one of the parts of a span is high enough, for all columns at once.
 pub(super) enum Answer<'a> {
     Never,
     Always,
@@ -51,10 +51,9 @@ pub(super) struct Shifted<'a> {
 
 impl<'a> RowMasks<'a> {
     pub(super) fn new(cells: &'a Cells) -> Self {
-        let width = cells.grid().width as usize;
-        // One word more than the bits take, for those who read shifted words.
-        let words = (3 * width).div_ceil(64) + 3;
-        Self { cells, width, words, rows: vec![Row::default(); cells.row_count()], slab: 0, levels: 0, asked: 0..0 }
+        let width = cells.columns().length() as usize;
+        let words = words(width);
+        Self { cells, width, words, rows: vec![Row::default(); cells.rows().count()], slab: 0, levels: 0, asked: 0..0 }
     }
 
     /// Turns to a slab and to the spans that will be asked for in it.
@@ -68,7 +67,7 @@ impl<'a> RowMasks<'a> {
         self.asked = word(width + first)..(word(2 * width + last) + 3).min(self.words);
     }
 
-    /// Whether one of a span's cells in a row is high enough.
+    /// Whether one of a span's parts in a row is high enough.
     pub(super) fn answer(&mut self, row: usize, span: Span) -> Answer<'_> {
         let cells = self.cells.row(row);
         if cells.high_enough(self.slab).is_empty() {
@@ -94,8 +93,8 @@ impl<'a> RowMasks<'a> {
         masks.formed_for = Some(self.slab);
         masks.runs.resize(masks.runs.len().max((self.levels + 1) * self.words), 0);
         let high_enough = cells.high_enough(self.slab);
-        for &cell in &high_enough[masks.set..] {
-            set(&mut masks.runs[..self.words], self.cells.grid().edge, self.width, cell);
+        for &part in &high_enough[masks.set..] {
+            set(&mut masks.runs[..self.words], self.cells.columns(), part);
         }
         masks.set = high_enough.len();
         for level in 0..self.levels {
@@ -110,8 +109,20 @@ impl<'a> RowMasks<'a> {
     }
 }
 
+/// The most that the masks of a field take in memory, in bytes: those of one thread.
+pub(super) fn most_bytes(cells: &Cells) -> u64 {
+    let width = cells.columns().length() as usize;
+    let levels = u64::from(width.ilog2()) + 1;
+    cells.rows().count() as u64 * levels * (words(width) * size_of::<u64>()) as u64
+}
+
+/// The words of a row of masks: one more than the bits take, for those who read shifted words.
+fn words(width: usize) -> usize {
+    (3 * width).div_ceil(64) + 3
+}
+
 impl Span {
-    /// The longest run of 2ᵏ cells that is no longer: two of them cover it.
+    /// The longest run of 2ᵏ parts that is no longer: two of them cover it.
     pub(super) fn level(self) -> usize {
         (self.last - self.first + 1).ilog2() as usize
     }
@@ -133,14 +144,15 @@ impl<'a> Shifted<'a> {
     }
 }
 
-/// Sets a cell, counted from the first one, wherever it stands within a field's width of the field.
-fn set(bits: &mut [u64], edge: Edge, width: usize, cell: u32) {
+/// Sets a part, counted from the first one, wherever it stands within a field's width of the field.
+fn set(bits: &mut [u64], columns: Axis, part: u32) {
+    let width = columns.length() as usize;
     let mut set = |bit: usize| bits[bit / 64] |= 1 << (bit % 64);
-    let bit = (width as i64 + first(edge) + i64::from(cell)) as usize;
-    match edge {
+    let bit = (width as i64 + columns.first() + i64::from(part)) as usize;
+    match columns.edge {
         Edge::Wrap => [bit - width, bit, bit + width].into_iter().for_each(set),
-        Edge::Clamp if cell == 0 => (0..=bit).for_each(set),
-        Edge::Clamp if bit + 1 == 2 * width => (bit..3 * width).for_each(set),
+        Edge::Clamp if part == 0 => (0..=bit).for_each(set),
+        Edge::Clamp if part as usize + 1 == columns.count() => (bit..3 * width).for_each(set),
         Edge::Clamp => set(bit),
     }
 }

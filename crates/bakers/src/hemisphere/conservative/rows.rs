@@ -16,9 +16,9 @@ pub(super) struct TargetRows<'a> {
     rows: Vec<TargetRow>,
 }
 
-/// A row of the table, as many columns as the source has.
+/// A row of the table, as many columns as the source has in parts.
 struct TargetRow {
-    /// The rows of texels that it covers.
+    /// The rows of parts that it covers.
     covers: Range<u32>,
     /// How many columns have not been hit.
     open: usize,
@@ -30,10 +30,9 @@ struct TargetRow {
 
 impl<'a> TargetRows<'a> {
     pub(super) fn new(cells: &'a Cells, target: Target, rows: Range<u32>) -> Self {
-        let grid = cells.grid();
-        let width = grid.width as usize;
+        let width = cells.columns().length() as usize;
         let row = |row: u32| TargetRow {
-            covers: footprint(row, target.height, grid.height),
+            covers: footprint(row, target.height, cells.rows().length()),
             open: width,
             hit: vec![0; width.div_ceil(64)],
             slabs: vec![0; width],
@@ -60,7 +59,7 @@ impl<'a> TargetRows<'a> {
 
     /// The depths, row by row.
     pub(super) fn write(&self, values: &mut [f32]) {
-        let (width, source) = (self.target.width, self.cells.grid().width);
+        let (width, source) = (self.target.width, self.cells.columns().length());
         for (row, values) in self.rows.iter().zip(values.chunks_exact_mut(width as usize)) {
             for (column, value) in values.iter_mut().enumerate() {
                 let covers = footprint(column as u32, width, source);

@@ -30,8 +30,8 @@ pub(super) fn stored(slab: usize) -> f32 {
 }
 
 /// The first slab that does not end above a depth, 0..1.
-pub(super) fn first_reaching(depth: f32) -> u8 {
-    let depth = f64::from(depth) - ROUNDING;
+pub(super) fn first_reaching(depth: f64) -> u8 {
+    let depth = depth - ROUNDING;
     // A byte is near enough to look on from.
     let near = ((depth * COUNT as f64) as usize).saturating_sub(1);
     (near..COUNT).find(|&slab| depth <= end(slab)).unwrap_or(COUNT - 1) as u8
@@ -54,9 +54,9 @@ mod tests {
     #[test]
     fn a_depth_is_reached_in_the_slab_that_holds_it() {
         for thousandth in 0..=1000_u16 {
-            let depth = f32::from(thousandth) / 1000.0;
+            let depth = f64::from(thousandth) / 1000.0;
             let slab = usize::from(first_reaching(depth));
-            assert!(start(slab) <= f64::from(depth) && f64::from(depth) <= end(slab) + ROUNDING, "{depth}");
+            assert!(start(slab) <= depth && depth <= end(slab) + ROUNDING, "{depth}");
         }
     }
 }
