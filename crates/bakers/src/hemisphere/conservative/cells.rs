@@ -13,7 +13,7 @@ use crate::{BakeError, Exec};
 
 /// No field is longer in parts, unless it is in texels: cells cut in two along each axis take 3 times the time of whole ones, cut in four
 /// about 10.
-const LONGEST: u64 = 1024;
+const LONGEST: u64 = 512;
 
 /// All parts of a field's cells.
 pub(super) struct Cells {
