@@ -17,9 +17,10 @@
 //!   everything.
 //! - A level up is taken where a block of that level begins, as in the paper, but only if the ray left the last block so high
 //!   above it that it would come through the larger one, too, if that were no higher.
+//! - From the highest point of a block a ray has little of the block before it: levels whose blocks are much longer than
+//!   that are left out on the way down.
 //!
-//! None of it changes a hit. On a fractal relief of 256², 0.15 tile deep, seen 10 / 35 / 60 / 75° from the normal, a search
-//! from the top takes 9.7 / 12 / 15 / 20 fetches without the last two and 4.5 / 7.3 / 11 / 15 with them.
+//! None of it changes a hit.
 
 use barchan_asset::{MaximumMipView, Wrap};
 
@@ -30,6 +31,10 @@ use super::{Fetches, Found, Relief, ReliefRay, ReliefSearch, Start};
 
 /// Beyond an edge that clamps a block has no end: farther than any ray goes.
 const ENDLESS: i64 = 1 << 50;
+
+/// From the highest point of a block a ray goes on at a level whose blocks are at most so many times as long as its way to the
+/// block's end. 1 takes up to 6 % more fetches on spikes, no bound at all 6 %.
+const LONGEST_BLOCK: f64 = 4.0;
 
 /// Traversal of maximum mipmaps.
 #[derive(Debug, Clone)]
@@ -56,8 +61,8 @@ struct Place {
 /// What a look at a block or a cell tells.
 enum Look {
     Hit(f64),
-    /// The ray may hit, at that depth or behind, from that cell on.
-    Closer(f64, Cell),
+    /// The ray may hit, at that depth or behind, from that cell on; the level to look at there.
+    Closer(f64, Cell, usize),
     /// The ray leaves the block so far above all of it.
     Passed(Exit, f64),
 }
@@ -82,7 +87,11 @@ impl<'a> MaximumMipTraversal<'a> {
 
     /// The level to begin with.
     fn first_level(&self, ray: &ReliefRay, depth: f64) -> usize {
-        let way = way_ahead(ray, depth);
+        self.level_as_long_as(way_ahead(ray, depth))
+    }
+
+    /// The coarsest level whose blocks are no longer than a way in texels.
+    fn level_as_long_as(&self, way: f64) -> usize {
         let coarsest = self.levels.len().saturating_sub(1);
         (1..=coarsest).take_while(|&level| (1_u64 << level) as f64 <= way).last().unwrap_or(0)
     }
@@ -106,7 +115,9 @@ impl<'a> MaximumMipTraversal<'a> {
             return Look::Passed(exit, highest - exit.depth);
         }
         let depth = depth.max(highest.min(exit.depth));
-        Look::Closer(depth, block.cell_behind(ray, depth))
+        let way_left = (exit.depth - depth) * ray.step.0.abs().max(ray.step.1.abs());
+        let below = self.level_as_long_as(LONGEST_BLOCK * way_left).min(level - 1);
+        Look::Closer(depth, block.cell_behind(ray, depth), below)
     }
 
     /// Whether a ray hits the surface in a cell. One fetch of a height.
@@ -148,7 +159,7 @@ impl ReliefSearch for MaximumMipTraversal<'_> {
             fetches += if level == 0 { Fetches::HEIGHT } else { Fetches::TABLE };
             match look {
                 Look::Hit(depth) => return Found { depth, fetches },
-                Look::Closer(from, within) => (depth, cell, level) = (from, within, level - 1),
+                Look::Closer(from, within, below) => (depth, cell, level) = (from, within, below),
                 Look::Passed(exit, gap) => {
                     level += usize::from(self.goes_up(ray, level, (cell, exit.next), gap));
                     (depth, cell) = (exit.depth, exit.next);

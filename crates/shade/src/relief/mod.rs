@@ -14,19 +14,19 @@
 //!
 //! # The default
 //!
-//! A conservative [`DepthMapStart`] and [`MaximumMipTraversal`]: exact, and the fewest fetches of all that are, or up to 8 %
-//! more than the fewest, on fractal relief, spikes and walls. Mean fetches, heights and tables together, of 256² reliefs 0.15 tile deep with 64² depth maps of 32 rings and 16
-//! azimuths, seen 10 / 35 / 60 / 75° from the normal:
+//! A conservative [`DepthMapStart`] and [`MaximumMipTraversal`]: exact, baked in no time, and on fractal relief and spikes fewer
+//! fetches than any search alone that is exact. Mean fetches, heights and tables together, of 256² reliefs 0.15 tile deep with 64²
+//! depth maps of 32 rings and 16 azimuths, seen 10 / 35 / 60 / 75° from the normal (`relief_start` in MEASUREMENTS.md):
 //!
 //! | | fractal | spikes |
 //! |---|---|---|
-//! | maximum mips | 4.5 / 7.3 / 11 / 15 | 7.0 / 12 / 24 / 45 |
-//! | maximum mips from a depth map | 2.5 / 4.3 / 7.8 / 11 | 3.5 / 10 / 22 / 42 |
-//! | cone steps | 3.5 / 5.7 / 9.6 / 14 | 6.5 / 18 / 39 / 73 |
-//! | cone steps from a depth map | 2.5 / 4.8 / 7.4 / 10 | 3.8 / 15 / 37 / 71 |
+//! | maximum mips | 4.9 / 7.9 / 12 / 17 | 6.8 / 11 / 22 / 44 |
+//! | maximum mips from a depth map | 2.7 / 5.3 / 9.4 / 13 | 3.3 / 9.0 / 20 / 40 |
+//! | cone steps | 3.9 / 7.4 / 13 / 20 | 6.4 / 17 / 38 / 72 |
+//! | cone steps from a depth map | 2.7 / 5.7 / 9.4 / 14 | 3.6 / 14 / 35 / 70 |
 //!
-//! Cone steps are the better end at grazing angles where relief is rough all over, mips where little stands out of much that
-//! is level. On white noise nearly every footprint has a peak, and a start saves nothing.
+//! Cone steps are the better end on smooth relief, a third fewer fetches at grazing angles; mips where little stands out of much that
+//! is level. On bricks either does better alone, and on white noise, where nearly every footprint has a peak, a start saves little.
 //!
 //! # Fetches
 //!
