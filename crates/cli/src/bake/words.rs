@@ -143,7 +143,8 @@ fn time_words(bake: &BakeReport) -> String {
     stages.collect::<Vec<_>>().join(", ")
 }
 
-/// Commands that can be pasted: the program is named as it was called. A picture needs the heights and the horizon.
+/// Commands that can be pasted: the program is named as it was called. A picture from above needs the heights and the horizon, one
+/// from a side the heights.
 fn next_words(bake: &BakeReport, output: &str) -> String {
     let program = std::env::args().next().unwrap_or_else(|| "barchan".to_owned());
     let program = shell_word(&program);
@@ -155,6 +156,10 @@ fn next_words(bake: &BakeReport, output: &str) -> String {
     if has(Table::Height) && has(Table::Horizon) {
         let picture = beside("lit.png");
         commands.push(format!("{program} render {file} --azimuth 135 --elevation 10 -o {picture}"));
+    }
+    if has(Table::Height) && has(Table::Hemisphere) {
+        let picture = beside("relief.png");
+        commands.push(format!("{program} render {file} --eye-elevation 35 --elevation 30 -o {picture}"));
     }
     if let Some(mesh) = bake.mesh.as_ref().filter(|_| has(Table::Curvature)) {
         let mesh = mesh.path.as_ref().map(|path| format!(" --mesh {}", shell_word(&path.display().to_string())));

@@ -13,8 +13,8 @@
 //!
 //! # The bound
 //!
-//! Depth is cut into slabs \[dᵢ, eᵢ\], and each cell of the bilinear surface into 1, 2 × 2 or 4 × 4 parts. The value is dᵢ of the first slab
-//! in which a part that is *reached* has a corner that is *high enough*:
+//! Depth is cut into slabs \[dᵢ, eᵢ\], and each cell of the bilinear surface into 1, 2 × 2 or 4 × 4 parts, more in smaller maps. The
+//! value is dᵢ of the first slab in which a part that is *reached* has a corner that is *high enough*:
 //! - reached: it has a place in common with F + \[dᵢ, eᵢ\]·Q, everywhere that the rays stand in the slab ([`reach`]);
 //! - high enough: its least corner depth is at most eᵢ ([`cells`]).
 //!
