@@ -89,7 +89,7 @@ impl LineChart {
             let (room, corner) = match self.legend {
                 Legend::UpperLeft => (1.05, SeriesLabelPosition::UpperLeft),
                 Legend::UpperRight => (1.05, SeriesLabelPosition::UpperRight),
-                Legend::Above => (1.6, SeriesLabelPosition::UpperLeft),
+                Legend::Above => (1.75, SeriesLabelPosition::UpperLeft),
             };
             let mut chart = ChartBuilder::on(area)
                 .margin(12)
