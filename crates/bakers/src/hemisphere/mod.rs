@@ -2,7 +2,7 @@
 //!
 //! # What is baked
 //!
-//! Suzuki, *An Accelerated Relief Mapping Using Depth Maps*: heights are turned into depths D = (top − h) / thickness, 0 at
+//! Takeshi Suzuki, *An Accelerated Relief Mapping Using Depth Maps*: heights are turned into depths D = (top − h) / thickness, 0 at
 //! the highest sample and 1 at the lowest, with h the bilinear surface. A ray comes from a direction on the hemisphere, enters the plane
 //! at depth 0 and is followed to its first hit, the least d with D ≤ d at the place where the ray then is. That depth is stored *where
 //! the ray enters*, for every texel of the top plane and every direction of a grid of rings and azimuths, so that a search through the

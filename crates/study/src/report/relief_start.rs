@@ -33,6 +33,16 @@ const DEFAULT: [(&str, &str); 6] = [
     ("encoding", "compact"),
 ];
 
+/// The experiment's directions.
+const ITS_GRID: [(&str, &str); 6] = [
+    ("mode", "conservative"),
+    ("size", "64"),
+    ("rings", "16"),
+    ("azimuths", "32"),
+    ("spacing", "squared_tangents"),
+    ("encoding", "compact"),
+];
+
 pub(super) fn render(file: &RecordFile) -> String {
     let records: Vec<&Record> = file.records.iter().collect();
     format!("{}\n{}\n{}", saved(&records), varied(&records), overshoots(&records))
@@ -63,6 +73,7 @@ fn saved(records: &[&Record]) -> String {
         };
         for (search, name) in SEARCHES {
             push(format!("conservative depths, {name}"), &|_, angle| at(&DEFAULT, search, angle));
+            push(format!("conservative depths of 16 × 32, {name}"), &|_, angle| at(&ITS_GRID, search, angle));
         }
         for (search, name) in SEARCHES.into_iter().chain([("linear", "64 linear steps, bisection")]) {
             push(name.to_owned(), &|_, angle| at(&[("mode", "top")], search, angle));
@@ -96,7 +107,7 @@ fn varied(records: &[&Record]) -> String {
         let fetched = SHOWN.map(|scene| {
             let searches = of(&own, "relief_search", scene);
             let cells = angles.iter().map(|angle| {
-                or_none(find(&searches, &[("search", "cone_steps"), ("angle", angle)]).and_then(fetches), short)
+                or_none(find(&searches, &[("search", "maximum_mip"), ("angle", angle)]).and_then(fetches), short)
             });
             cells.collect::<Vec<_>>().join(" / ")
         });
@@ -109,7 +120,7 @@ fn varied(records: &[&Record]) -> String {
         table.push([title, megabytes].into_iter().chain(fetched).chain(wrong).collect());
     }
     format!(
-        "By cone steps from 32 × 16 directions in squared tangents, 64² and compact unless said, fetches at {}°; wrong shares are over \
+        "By maximum mips from 32 × 16 directions in squared tangents, 64² and compact unless said, fetches at {}°; wrong shares are over \
          all angles and five reliefs (256²: these two):\n\n{}",
         angles.join(" / "),
         table.render()
@@ -177,7 +188,8 @@ mod tests {
             record("relief_start", "mode=true angle=10", 0.5, 0.0),
             record("relief_start", default, 0.25, 0.003),
             record("relief_search", &format!("{default} search=cone_steps"), 0.0, 0.0),
-            record("relief_search", &format!("{nearest} search=cone_steps"), 0.0, 0.02),
+            record("relief_search", &format!("{default} search=maximum_mip"), 0.0, 0.0),
+            record("relief_search", &format!("{nearest} search=maximum_mip"), 0.0, 0.02),
         ];
         let text = render(&RecordFile { machine: String::new(), records });
         for line in [
