@@ -67,7 +67,7 @@ impl Default for ReliefMapping {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ReliefSearch {
-    /// Squares of the map, large where the ray is above all of their relief: exact, and the fewest fetches on most relief.
+    /// Squares of the map, large where the ray is above all of their relief: exact, and baked in no time.
     #[default]
     MaximumMip,
     /// Steps as long as a cone above the surface allows, and the exact hit at their end.
