@@ -15,8 +15,9 @@
 //! # The default
 //!
 //! A conservative [`DepthMapStart`] and [`MaximumMipTraversal`]: exact, nearly free to bake beside the depth map, and on fractal
-//! relief and spikes fewer fetches than any search alone that is exact. Mean fetches, heights and tables together, of 256² reliefs 0.15 tile deep with 64²
-//! depth maps of 32 rings and 16 azimuths, seen 10 / 35 / 60 / 75° from the normal (`relief_start` in MEASUREMENTS.md):
+//! relief and spikes fewer fetches than any search alone that is exact. Mean fetches, heights and tables together, of 256²
+//! reliefs 0.15 tile deep with 64² depth maps of 32 rings and 16 azimuths, seen 10 / 35 / 60 / 75° from the normal
+//! (`relief_start` in MEASUREMENTS.md):
 //!
 //! | | fractal | spikes |
 //! |---|---|---|
@@ -26,7 +27,8 @@
 //! | cone steps from a depth map | 2.7 / 5.7 / 9.4 / 14 | 3.6 / 14 / 35 / 70 |
 //!
 //! No combination is best on all relief. Cone steps are the better end on smooth relief, a third fewer fetches at grazing angles,
-//! where they need fewer alone, too; mips where little stands out of much that is level, up to half. On bricks either does better alone, cone steps by half, and on white noise, where nearly every footprint has a peak, a start saves little.
+//! where they need fewer alone, too; mips where little stands out of much that is level, up to half. On bricks either does
+//! better alone, cone steps by half, and on white noise, where nearly every footprint has a peak, a start saves little.
 //!
 //! # Fetches
 //!
