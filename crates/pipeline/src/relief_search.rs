@@ -6,7 +6,7 @@
 
 use std::io::{Read, Seek, Write};
 
-use barchan_asset::{ConeMapTable, HemisphereTable, MaximumMipTable, RelaxedConeMapTable, TableGrid, TextureTable};
+use barchan_asset::{ConeMapTable, HemisphereTable, MaximumMipTable, RelaxedConeMapTable, TextureTable};
 use barchan_bakers::cone::{self, ConeKind};
 use barchan_bakers::hemisphere::HemisphereBaker;
 use barchan_bakers::{Exec, maximum_mip};
@@ -63,7 +63,7 @@ fn bake_hemisphere<W: Read + Write + Seek>(
     let layers = params.directions.layers();
     sink.clock.announce(stage, 0, layers as usize);
     let baker = sink.clock.time(stage, || HemisphereBaker::new(surface, params, exec)).map_err(refused_hemisphere)?;
-    let grid = coarser(table_grid(surface.grid()), params.width, params.height);
+    let grid = table_grid(surface.grid()).with_texels(params.width, params.height);
     let facts =
         HemisphereTable { grid, directions: params.directions, mode: params.mode, relief: baker.relief(), values: &[] }
             .facts();
@@ -81,18 +81,6 @@ fn bake_hemisphere<W: Read + Write + Seek>(
     drop(baker);
     let accuracy = sink.clock.stage("starts", || sample.measure(surface));
     Ok(HemisphereProvenance::new(plan, &params, accuracy))
-}
-
-/// The grid of a table of fewer texels over the same tile.
-fn coarser(grid: TableGrid, width: u32, height: u32) -> TableGrid {
-    let wider = |spacing: f64, texels: u32, fewer: u32| spacing * f64::from(texels) / f64::from(fewer);
-    TableGrid {
-        width,
-        height,
-        spacing_u: wider(grid.spacing_u, grid.width, width),
-        spacing_v: wider(grid.spacing_v, grid.height, height),
-        ..grid
-    }
 }
 
 fn bake_cones<W: Read + Write + Seek>(

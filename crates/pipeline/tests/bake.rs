@@ -1,7 +1,7 @@
 //! Plans carried out: the file, the report, the provenance and the error that is claimed.
 
-use std::io::Cursor;
-use std::path::Path;
+mod common;
+
 use std::sync::Mutex;
 
 use barchan_asset::{
@@ -12,9 +12,11 @@ use barchan_bakers::horizon::{Azimuths, HorizonParams, Method, reference};
 use barchan_field::shapes::FractalTerrain;
 use barchan_field::{Edge, Grid, HeightField, LengthUnit, Shape, Spacing};
 use barchan_pipeline::{
-    BakeReport, Compression, HorizonAccuracy, HorizonMethod, InputProvenance, PROVENANCE_SCHEMA, PipelineError, Plan,
-    Progress, Provenance, Recipe, Run, Scene, ShapeSource, Source, Table, TableEncoding, bake,
+    Compression, HorizonAccuracy, HorizonMethod, InputProvenance, PROVENANCE_SCHEMA, PipelineError, Provenance, Recipe,
+    Scene, ShapeSource, Source, Table, TableEncoding,
 };
+
+use crate::common::{Baked, bake_on};
 
 const SHAPE: Shape =
     Shape::FractalTerrain(FractalTerrain { height: 9.0, hurst: 0.8, features_across: 2, octaves: 4, seed: 5 });
@@ -33,24 +35,6 @@ fn recipe() -> Recipe {
 fn field() -> HeightField {
     let spacing = Spacing::new(0.5, 0.75).unwrap();
     SHAPE.rasterize(Grid { width: 24, height: 20, spacing, unit: LengthUnit::Metre, edge: Edge::Wrap }).unwrap()
-}
-
-/// A file in memory, and what was said of it.
-#[derive(Debug)]
-struct Baked {
-    bytes: Vec<u8>,
-    report: BakeReport,
-}
-
-fn bake_on(
-    threads: usize,
-    recipe: Recipe,
-    only: Option<&[Table]>,
-    progress: &Progress<'_>,
-) -> Result<Baked, PipelineError> {
-    let run = Run { folder: Path::new("maps"), threads, progress };
-    let baked = bake(&Plan::new(recipe, only), &run, Cursor::new(Vec::new()))?;
-    Ok(Baked { bytes: baked.out.into_inner(), report: baked.report })
 }
 
 fn baked(recipe: Recipe, only: Option<&[Table]>) -> Baked {

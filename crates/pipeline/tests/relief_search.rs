@@ -1,9 +1,9 @@
 //! Tables for relief search, baked by a recipe: from the heights as stored, over the directions that the scene has, and as good as is
 //! said of them.
 
+mod common;
+
 use std::f64::consts::TAU;
-use std::io::Cursor;
-use std::path::Path;
 use std::sync::Mutex;
 
 use barchan_asset::{
@@ -17,10 +17,12 @@ use barchan_bakers::{Exec, maximum_mip};
 use barchan_field::shapes::FractalTerrain;
 use barchan_field::{Edge, Grid, HeightField, LengthUnit, Shape, Spacing};
 use barchan_pipeline::{
-    BakeReport, Compression, HemisphereMode, HemisphereSpacing, PipelineError, Plan, Progress, Provenance, Recipe,
-    ReliefMapping, ReliefSearch, Run, Scene, ShapeSource, Source, Table, TableEncoding, bake,
+    Compression, HemisphereMode, HemisphereSpacing, Provenance, Recipe, ReliefMapping, ReliefSearch, Scene,
+    ShapeSource, Source, Table, TableEncoding,
 };
 use glam::DVec3;
+
+use crate::common::{Baked, bake_on};
 
 const SHAPE: Shape =
     Shape::FractalTerrain(FractalTerrain { height: 9.0, hurst: 0.8, features_across: 2, octaves: 4, seed: 5 });
@@ -42,24 +44,6 @@ fn recipe() -> Recipe {
 
 fn mapping(recipe: &mut Recipe) -> &mut ReliefMapping {
     recipe.scene.as_mut().unwrap().relief_mapping.as_mut().unwrap()
-}
-
-/// A file in memory, and what was said of it.
-#[derive(Debug)]
-struct Baked {
-    bytes: Vec<u8>,
-    report: BakeReport,
-}
-
-fn bake_on(
-    threads: usize,
-    recipe: Recipe,
-    only: Option<&[Table]>,
-    progress: &Progress<'_>,
-) -> Result<Baked, PipelineError> {
-    let run = Run { folder: Path::new("maps"), threads, progress };
-    let baked = bake(&Plan::new(recipe, only), &run, Cursor::new(Vec::new()))?;
-    Ok(Baked { bytes: baked.out.into_inner(), report: baked.report })
 }
 
 fn baked(recipe: Recipe, only: Option<&[Table]>) -> Baked {

@@ -1,8 +1,7 @@
 //! Hemisphere depths as the studies vary them: from a specification to the table that a file stores.
 
 use barchan_asset::{
-    Azimuths, DepthMode, Encoding, HemisphereDirections, HemisphereTable, HemisphereView, RingSpacing, TableGrid,
-    TextureTable,
+    Azimuths, DepthMode, Encoding, HemisphereDirections, HemisphereTable, HemisphereView, RingSpacing, TextureTable,
 };
 use barchan_bakers::Exec;
 use barchan_bakers::hemisphere::{HemisphereBaker, HemisphereParams};
@@ -119,21 +118,9 @@ impl HemisphereSpec {
         }
         let seconds = watch.elapsed().core_seconds();
         let (mode, relief) = (self.mode, baker.relief());
-        let table = HemisphereTable { grid: self.grid(field), directions, mode, relief, values: &values };
+        let grid = table_grid(field.grid()).with_texels(self.size, self.size);
+        let table = HemisphereTable { grid, directions, mode, relief, values: &values };
         Ok(StoredHemisphere { table: table.encode(self.encoding)?, seconds })
-    }
-
-    /// The field's extent, in texels of the table.
-    fn grid(&self, field: &HeightField) -> TableGrid {
-        let source = table_grid(field.grid());
-        let coarser = |texels: u32| f64::from(texels) / f64::from(self.size);
-        TableGrid {
-            width: self.size,
-            height: self.size,
-            spacing_u: source.spacing_u * coarser(source.width),
-            spacing_v: source.spacing_v * coarser(source.height),
-            ..source
-        }
     }
 }
 

@@ -28,6 +28,21 @@ pub struct TableGrid {
     pub wrap_v: Wrap,
 }
 
+impl TableGrid {
+    /// Other texels over the same lengths.
+    #[must_use]
+    pub fn with_texels(self, width: u32, height: u32) -> Self {
+        let spacing = |spacing: f64, texels: u32, others: u32| spacing * f64::from(texels) / f64::from(others);
+        Self {
+            width,
+            height,
+            spacing_u: spacing(self.spacing_u, self.width, width),
+            spacing_v: spacing(self.spacing_v, self.height, height),
+            ..self
+        }
+    }
+}
+
 /// Which curved bases a swept table serves, and with how many points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurvatureSweep {

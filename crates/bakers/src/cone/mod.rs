@@ -86,9 +86,6 @@ use crate::hemisphere::depths::relief_range;
 use crate::memory::zeros;
 use crate::{BakeError, Exec, maximum_mip};
 
-/// Names the algorithm in provenance. It changes when a bake's bytes do.
-pub const ALGORITHM: &str = "cone-1";
-
 /// No cone is wider: the greatest number of 16-bit floats, a half-angle within 2 · 10⁻⁵ of a right angle.
 pub const MAX_RATIO: f64 = 65504.0;
 

@@ -47,6 +47,3 @@ mod windows;
 pub use baker::{HemisphereBaker, bake};
 pub use map::HemisphereMap;
 pub use params::HemisphereParams;
-
-/// Names the algorithm in provenance. It changes when a bake's bytes do.
-pub const ALGORITHM: &str = "hemisphere-1";

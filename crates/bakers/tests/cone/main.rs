@@ -2,7 +2,11 @@
 
 mod closed_forms;
 mod extremes;
+#[path = "../common/fields.rs"]
+mod fields;
 mod invariance;
+#[path = "../common/random.rs"]
+mod random;
 mod reference;
 mod relaxed;
 mod strict;

@@ -2,23 +2,15 @@
 
 use barchan_bakers::Exec;
 use barchan_bakers::cone::{self, ConeKind, ConeMap};
-use barchan_field::{Edge, Grid, HeightField, LengthUnit, Spacing};
+use barchan_field::{Edge, Grid, HeightField};
+
+pub(crate) use crate::fields::{fill, grid};
+pub(crate) use crate::random::noise;
 
 pub(crate) const EDGES: [Edge; 2] = [Edge::Wrap, Edge::Clamp];
 
 /// Square texels, and texels neither square nor of a length that is a power of two.
 pub(crate) const SPACINGS: [(f64, f64); 2] = [(1.0, 1.0), (0.7, 1.9)];
-
-pub(crate) fn grid((width, height): (u32, u32), (spacing_u, spacing_v): (f64, f64), edge: Edge) -> Grid {
-    let spacing = Spacing::new(spacing_u, spacing_v).unwrap();
-    Grid { width, height, spacing, unit: LengthUnit::SceneUnit, edge }
-}
-
-pub(crate) fn fill(grid: Grid, height: impl Fn(u32, u32) -> f32) -> HeightField {
-    let height = &height;
-    let samples = (0..grid.height).flat_map(|row| (0..grid.width).map(move |column| height(column, row))).collect();
-    HeightField::new(grid, samples).unwrap()
-}
 
 /// The reliefs that every promise is held against.
 #[derive(Debug, Clone, Copy)]
@@ -67,16 +59,6 @@ pub(crate) fn fields(size: (u32, u32)) -> impl Iterator<Item = (Relief, HeightFi
 
 pub(crate) fn bake(field: &HeightField, kind: ConeKind) -> ConeMap {
     cone::bake(field, kind, &Exec::new(1).unwrap()).unwrap()
-}
-
-/// Reproducible noise in [0, 1) for a texel.
-pub(crate) fn noise(seed: u32, column: u32, row: u32) -> f32 {
-    let mut hash = seed.wrapping_mul(0x9E37_79B9) ^ column.wrapping_mul(0x85EB_CA6B) ^ row.wrapping_mul(0xC2B2_AE35);
-    for _ in 0..2 {
-        hash = (hash ^ (hash >> 15)).wrapping_mul(0x2C1B_3C6D);
-        hash = (hash ^ (hash >> 12)).wrapping_mul(0x297A_2D39);
-    }
-    (hash >> 8) as f32 / (1 << 24) as f32
 }
 
 /// A stream of numbers in [0, 1).

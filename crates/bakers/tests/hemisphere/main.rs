@@ -4,8 +4,12 @@ mod agreement;
 mod closed_forms;
 mod conservative;
 mod extremes;
+#[path = "../common/fields.rs"]
+mod fields;
 mod invariance;
 mod overshoots;
+#[path = "../common/random.rs"]
+mod random;
 mod reduction;
 mod reference;
 mod refusals;

@@ -3,20 +3,11 @@
 use barchan_asset::{Azimuths, DepthMode, HemisphereDirections, RingSpacing};
 use barchan_bakers::Exec;
 use barchan_bakers::hemisphere::{self, HemisphereMap, HemisphereParams};
-use barchan_field::{Edge, Grid, HeightField, LengthUnit, Spacing};
+use barchan_field::{Edge, Grid, HeightField};
 use glam::DVec3;
 
-pub(crate) fn grid((width, height): (u32, u32), (spacing_u, spacing_v): (f64, f64), edge: Edge) -> Grid {
-    let spacing = Spacing::new(spacing_u, spacing_v).unwrap();
-    Grid { width, height, spacing, unit: LengthUnit::SceneUnit, edge }
-}
-
-/// `height` is asked for each column and row.
-pub(crate) fn fill(grid: Grid, height: impl Fn(u32, u32) -> f32) -> HeightField {
-    let height = &height;
-    let samples = (0..grid.height).flat_map(|row| (0..grid.width).map(move |column| height(column, row))).collect();
-    HeightField::new(grid, samples).unwrap()
-}
+pub(crate) use crate::fields::{fill, grid};
+pub(crate) use crate::random::noise;
 
 /// A field of square texels of length 1.
 pub(crate) fn field(size: (u32, u32), edge: Edge, height: impl Fn(u32, u32) -> f32) -> HeightField {
@@ -55,14 +46,4 @@ pub(crate) fn towards(directions: &HemisphereDirections, layer: u32) -> DVec3 {
 pub(crate) fn assert_near(found: f32, expected: f64, tolerance: f64) {
     let off = f64::from(found) - expected;
     assert!(off.abs() <= tolerance, "{found} instead of {expected}, off by {off:e}");
-}
-
-/// Reproducible noise in [0, 1) for a texel.
-pub(crate) fn noise(seed: u32, column: u32, row: u32) -> f32 {
-    let mut hash = seed.wrapping_mul(0x9E37_79B9) ^ column.wrapping_mul(0x85EB_CA6B) ^ row.wrapping_mul(0xC2B2_AE35);
-    for _ in 0..2 {
-        hash = (hash ^ (hash >> 15)).wrapping_mul(0x2C1B_3C6D);
-        hash = (hash ^ (hash >> 12)).wrapping_mul(0x297A_2D39);
-    }
-    (hash >> 8) as f32 / (1 << 24) as f32
 }
