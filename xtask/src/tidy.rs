@@ -12,7 +12,7 @@ use crate::bench;
 use crate::run::{cargo_program, root};
 
 /// The crates and the crates of ours each may use; ARCHITECTURE.md says why. Tests and benches may use more.
-const ARROWS: [(&str, &[&str]); 10] = [
+const ARROWS: [(&str, &[&str]); 12] = [
     ("asset", &[]),
     ("bakers", &["asset", "field"]),
     ("cli", &["asset", "field", "import", "metrics", "pipeline", "shade"]),
@@ -22,6 +22,8 @@ const ARROWS: [(&str, &[&str]); 10] = [
     ("pipeline", &["asset", "bakers", "field", "import", "metrics"]),
     ("shade", &["asset"]),
     ("study", &["asset", "bakers", "field", "metrics", "shade"]),
+    ("view", &["asset", "wgpu"]),
+    ("wgpu", &["asset"]),
     ("xtask", &[]),
 ];
 

@@ -1,0 +1,217 @@
+//! The numbers of a technique, a place a pixel.
+
+use barchan_wgpu::{GpuAsset, Sampling, Shader, ShaderOptions, Technique, UploadPlan};
+
+use crate::gpu::wait;
+use crate::{Gpu, GpuError};
+
+/// What is drawn: places on a grid under one light. `probe.wgsl` declares the same.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Probe {
+    /// Pixels across and down.
+    pub size: (u32, u32),
+    /// The place of the first pixel's centre, in texels from the centre of texel (0, 0).
+    pub place: [f32; 2],
+    /// From a pixel to the next, in columns and rows.
+    pub step: [f32; 2],
+    /// A unit vector towards the light, in the frame (u, v up the picture, height).
+    pub light: [f32; 3],
+    /// The angular radius of its disc, in radians.
+    pub angular_radius: f32,
+    /// How far away the light is along the base plane, in the length unit; infinite for a sun.
+    pub level_distance: f32,
+    /// A unit vector towards the eye, in the frame of the table.
+    pub eye: [f32; 3],
+    /// By how much of its depth relief must stand before a place to shade it.
+    pub tolerance: f32,
+    /// E, F, G of the base.
+    pub first_form: [f32; 3],
+    /// e, f, g of the base.
+    pub second_form: [f32; 3],
+    /// Pu and Pv of the base, in axes whose third is the normal; the light of curved bases is in the same axes.
+    pub along: [[f32; 3]; 2],
+}
+
+impl Default for Probe {
+    /// A texel a pixel, from the first one, under the zenith, on a flat base of unit texture.
+    fn default() -> Self {
+        Self {
+            size: (1, 1),
+            place: [0.0; 2],
+            step: [1.0; 2],
+            light: [0.0, 0.0, 1.0],
+            angular_radius: 0.0,
+            level_distance: f32::INFINITY,
+            eye: [0.0, 0.0, 1.0],
+            tolerance: 0.0,
+            first_form: [1.0, 0.0, 1.0],
+            second_form: [0.0; 3],
+            along: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        }
+    }
+}
+
+impl Probe {
+    /// The bytes of the uniform buffer.
+    fn bytes(&self) -> [u8; Shader::PROBE_BYTES] {
+        let with = |[x, y, z]: [f32; 3], w: f32| [x, y, z, w];
+        // WGSL does not promise infinities.
+        let level_distance = self.level_distance.min(f32::MAX);
+        let rows = [
+            [self.place[0], self.place[1], self.step[0], self.step[1]],
+            with(self.light, self.angular_radius),
+            with(self.eye, level_distance),
+            with(self.first_form, self.tolerance),
+            with(self.second_form, 0.0),
+            with(self.along[0], 0.0),
+            with(self.along[1], 0.0),
+        ];
+        let mut bytes = [0; Shader::PROBE_BYTES];
+        for (word, number) in bytes.chunks_exact_mut(4).zip(rows.as_flattened()) {
+            word.copy_from_slice(&number.to_le_bytes());
+        }
+        bytes
+    }
+}
+
+/// A pipeline that draws the numbers of one technique of an asset.
+#[derive(Debug)]
+pub struct ProbePass<'a> {
+    gpu: &'a Gpu,
+    pipeline: wgpu::RenderPipeline,
+    bind_group: wgpu::BindGroup,
+    probe: wgpu::Buffer,
+}
+
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+
+impl<'a> ProbePass<'a> {
+    /// The pass of the first of `techniques`; the others are those it needs beside it.
+    ///
+    /// # Errors
+    /// Techniques that the plan has no tables for, or a device that refuses the shader.
+    pub fn new(
+        gpu: &'a Gpu,
+        asset: &GpuAsset,
+        plan: &UploadPlan,
+        techniques: &[Technique],
+        sampling: Sampling,
+    ) -> Result<Self, GpuError> {
+        let shader = Shader::compose(plan, techniques, &ShaderOptions { group: 0, sampling, probes: true })?;
+        let probe = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("probe"),
+            size: Shader::PROBE_BYTES as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let entry_point = techniques.first().map(|technique| technique.probe());
+        let (pipeline, bind_group) = gpu.checked(|device| {
+            let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: None,
+                entries: &shader.layout_entries(wgpu::ShaderStages::VERTEX_FRAGMENT),
+            });
+            let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: entry_point,
+                source: wgpu::ShaderSource::Wgsl(shader.source().into()),
+            });
+            let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: None,
+                bind_group_layouts: &[Some(&layout)],
+                immediate_size: 0,
+            });
+            let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+                label: entry_point,
+                layout: Some(&pipeline_layout),
+                vertex: wgpu::VertexState {
+                    module: &module,
+                    entry_point: Some("barchan_probe_vertex"),
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    buffers: &[],
+                },
+                primitive: wgpu::PrimitiveState::default(),
+                depth_stencil: None,
+                multisample: wgpu::MultisampleState::default(),
+                fragment: Some(wgpu::FragmentState {
+                    module: &module,
+                    entry_point,
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    targets: &[Some(FORMAT.into())],
+                }),
+                multiview_mask: None,
+                cache: None,
+            });
+            let entries = asset.entries(&shader, Some(&probe));
+            let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout: &layout, entries: &entries });
+            (pipeline, bind_group)
+        })?;
+        Ok(Self { gpu, pipeline, bind_group, probe })
+    }
+
+    /// Draws, and reads back four numbers a pixel, row by row from the top.
+    ///
+    /// # Errors
+    /// A device that refuses or is lost.
+    pub fn draw(&self, probe: &Probe) -> Result<Vec<[f32; 4]>, GpuError> {
+        let (width, height) = probe.size;
+        self.gpu.queue.write_buffer(&self.probe, 0, &probe.bytes());
+        let row_bytes = (16 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
+        let read_back = self.gpu.checked(|device| {
+            let target = device.create_texture(&wgpu::TextureDescriptor {
+                label: Some("probe"),
+                size,
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format: FORMAT,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+                view_formats: &[],
+            });
+            let read_back = device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("probe"),
+                size: u64::from(row_bytes) * u64::from(height),
+                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+                mapped_at_creation: false,
+            });
+            let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            self.encode(&mut encoder, &target.create_view(&wgpu::TextureViewDescriptor::default()));
+            let layout =
+                wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row_bytes), rows_per_image: Some(height) };
+            let to = wgpu::TexelCopyBufferInfo { buffer: &read_back, layout };
+            encoder.copy_texture_to_buffer(target.as_image_copy(), to, size);
+            self.gpu.queue.submit([encoder.finish()]);
+            read_back
+        })?;
+        let rows = self.read(&read_back)?;
+        let number = |bytes: &[u8]| f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
+        let pixel = |bytes: &[u8]| [0, 4, 8, 12].map(|at| number(&bytes[at..]));
+        let rows = rows.chunks_exact(row_bytes as usize);
+        Ok(rows.flat_map(|row| row[..16 * width as usize].chunks_exact(16).map(pixel)).collect())
+    }
+
+    fn encode(&self, encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("probe"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: target,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store },
+            })],
+            ..Default::default()
+        });
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &self.bind_group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+
+    fn read(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
+        let (sender, receiver) = std::sync::mpsc::channel();
+        buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| drop(sender.send(mapped)));
+        self.gpu.finish()?;
+        let lost = |reason: String| GpuError::Device { reason };
+        wait(async { receiver.recv() }).map_err(|error| lost(error.to_string()))?.map_err(|error| lost(error.to_string()))?;
+        let view = buffer.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
+        Ok(view.to_vec())
+    }
+}

@@ -1,0 +1,26 @@
+//! What a device can hold.
+
+/// The limits and features of a device that decide what becomes of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DeviceLimits {
+    /// Texels along each side of a 2-D texture.
+    pub max_2d: u32,
+    /// Texels along each side of a 3-D texture.
+    pub max_3d: u32,
+    /// Layers of a 2-D texture.
+    pub max_layers: u32,
+    /// Whether 32-bit floats can be filtered. Where they cannot, shaders load the four texels.
+    pub filters_float32: bool,
+    /// Bytes of a buffer.
+    pub max_buffer: u64,
+}
+
+impl DeviceLimits {
+    /// What every WebGPU device has.
+    pub const WEBGPU: Self =
+        Self { max_2d: 8192, max_3d: 2048, max_layers: 256, filters_float32: false, max_buffer: 1 << 28 };
+
+    /// What a WebGL2-class device has.
+    pub const WEBGL2: Self =
+        Self { max_2d: 2048, max_3d: 256, max_layers: 256, filters_float32: false, max_buffer: 1 << 28 };
+}

@@ -1,0 +1,208 @@
+//! The shader of a pipeline, put together from what its asset has and what it is to do.
+//!
+//! # Parts
+//!
+//! Every part is WGSL without imports; every global name begins with `barchan_`, `Barchan` or `BARCHAN_`. A shader is
+//! 1. `table.wgsl`: the uniform buffer of the asset's numbers, and what all tables share;
+//! 2. for each table that a technique reads its texture, and functions that load texels and interpolate between them
+//!    (`access.rs`): from a 2-D texture, a layered one or a volume, filtered by the sampler or by four loads;
+//! 3. a part for each [`Technique`], and for those that they stand on.
+//!
+//! What no technique asks for is not there: neither its code nor its bindings.
+//!
+//! # Bindings
+//!
+//! All in one group, and always at the same numbers: the uniform buffer at 0, the sampler at 1, a texture at 1 + its semantic's
+//! number ([`Semantic::number`]), the uniform buffer of probes at 14.
+//!
+//! # Arithmetic
+//!
+//! Vulkan promises little of sines and arcsines in a shader (2⁻¹¹ and 4096 ulp), so `functions.wgsl` has its own.
+
+mod access;
+mod technique;
+
+use std::fmt;
+
+use barchan_asset::Semantic;
+
+use crate::{Shape, UploadPlan};
+pub use technique::{ReliefSearch, SEARCH_STEPS, Technique};
+
+/// How a shader interpolates between texels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Sampling {
+    /// By the sampler, one sample for four texels, where the device can filter the format; by four loads where it cannot. What is
+    /// interpolated is what is stored, before the transfer: sines of elevations, where the table stores these. A sampler's weights
+    /// have 8 bits.
+    #[default]
+    Filtered,
+    /// By four loads: values are decoded first and interpolated in 32-bit floats, as the CPU twin does.
+    Loaded,
+}
+
+/// How a shader is put together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct ShaderOptions {
+    /// The bind group of all bindings.
+    pub group: u32,
+    /// How it interpolates between texels.
+    pub sampling: Sampling,
+    /// Whether it has entry points that draw the numbers of its techniques: `barchan_probe_vertex`, and a fragment stage for each.
+    pub probes: bool,
+}
+
+/// What a shader binds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Binding {
+    /// The bind group.
+    pub group: u32,
+    /// The number in the group.
+    pub binding: u32,
+    /// What is bound there.
+    pub kind: BindingKind,
+}
+
+/// What is bound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BindingKind {
+    /// The uniform buffer of the asset's numbers, [`crate::PARAMETER_BYTES`] long.
+    Parameters,
+    /// The sampler: linear, with the tables' edges as address modes.
+    Sampler,
+    /// The texture of a table.
+    Texture {
+        /// Which table.
+        table: Semantic,
+        /// What kind of texture.
+        shape: Shape,
+        /// Whether it is sampled through the sampler.
+        is_filtered: bool,
+    },
+    /// The uniform buffer of what probes draw, [`Shader::PROBE_BYTES`] long.
+    Probe,
+}
+
+/// A shader and what it binds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Shader {
+    source: String,
+    bindings: Vec<Binding>,
+}
+
+/// Why a shader cannot be put together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ComposeError {
+    /// A technique needs a table that is not in the plan.
+    Missing {
+        /// Which technique.
+        technique: Technique,
+        /// Which table.
+        table: Semantic,
+    },
+    /// Shadows of relief need a technique that finds relief.
+    NoSearch,
+    /// There is one way to find relief in a shader.
+    TwoSearches,
+}
+
+impl Shader {
+    /// Bytes of the uniform buffer of probes.
+    pub const PROBE_BYTES: usize = 128;
+
+    /// The binding number of the uniform buffer of probes.
+    pub const PROBE_BINDING: u32 = 14;
+
+    /// Puts the shader of some techniques together for the tables of a plan.
+    ///
+    /// # Errors
+    /// A technique whose tables are not in the plan, or techniques that do not go together.
+    pub fn compose(plan: &UploadPlan, techniques: &[Technique], options: &ShaderOptions) -> Result<Self, ComposeError> {
+        technique::check(techniques)?;
+        let mut tables: Vec<Semantic> = Vec::new();
+        let mut parts: Vec<&'static str> = vec![include_str!("wgsl/table.wgsl")];
+        for technique in techniques {
+            for table in technique.tables(plan)? {
+                if !tables.contains(&table) {
+                    tables.push(table);
+                }
+            }
+        }
+        tables.sort_by_key(|table| table.number());
+        let has = |table| tables.contains(&table);
+        for part in techniques.iter().flat_map(|technique| technique.parts(&has, options.probes)) {
+            if !parts.contains(&part) {
+                parts.push(part);
+            }
+        }
+        let textures: Vec<_> = tables.iter().filter_map(|&table| plan.texture(table)).collect();
+        let is_filtered = |texture: &&crate::TexturePlan| options.sampling == Sampling::Filtered && texture.is_filterable;
+        let mut source = parts[0].to_owned();
+        let mut bindings = vec![BindingKind::Parameters];
+        if textures.iter().any(is_filtered) {
+            source += access::SAMPLER;
+            bindings.push(BindingKind::Sampler);
+        }
+        for texture in &textures {
+            let kind = BindingKind::Texture {
+                table: texture.table,
+                shape: texture.shape,
+                is_filtered: is_filtered(texture),
+            };
+            source += &access::of_table(texture, is_filtered(texture));
+            bindings.push(kind);
+        }
+        source += &technique::constants(techniques);
+        for part in &parts[1..] {
+            source += "\n";
+            source += part;
+        }
+        if options.probes {
+            bindings.push(BindingKind::Probe);
+        }
+        let group = options.group;
+        let source = source.replace("@group(0)", &format!("@group({group})"));
+        let bindings = bindings.into_iter().map(|kind| Binding { group, binding: kind.number(), kind }).collect();
+        Ok(Self { source, bindings })
+    }
+
+    /// The WGSL.
+    #[must_use]
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// What it binds, by number.
+    #[must_use]
+    pub fn bindings(&self) -> &[Binding] {
+        &self.bindings
+    }
+}
+
+impl BindingKind {
+    /// Its number in the group.
+    #[must_use]
+    pub fn number(&self) -> u32 {
+        match self {
+            Self::Parameters => 0,
+            Self::Sampler => 1,
+            Self::Texture { table, .. } => 1 + table.number(),
+            Self::Probe => Shader::PROBE_BINDING,
+        }
+    }
+}
+
+impl fmt::Display for ComposeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Missing { technique, table } => {
+                write!(f, "{} needs the table {}, which is not loaded", technique.name(), table.kind())
+            }
+            Self::NoSearch => write!(f, "relief shadow needs a way to find relief; name a relief technique beside it"),
+            Self::TwoSearches => write!(f, "two ways to find relief are named; one is accepted"),
+        }
+    }
+}
+
+impl std::error::Error for ComposeError {}

@@ -1,0 +1,182 @@
+//! What shaders can do, which tables it takes, and of which parts it is made.
+
+use barchan_asset::Semantic;
+
+use super::ComposeError;
+use crate::UploadPlan;
+
+/// Steps of the searches that have a fixed number, where nobody says otherwise.
+pub const SEARCH_STEPS: u32 = 64;
+
+/// How relief is found, as in the CPU twin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ReliefSearch {
+    /// Steps of equal depth, and a bisection.
+    Linear {
+        /// Steps from the top to the floor.
+        steps: u32,
+        /// Halvings of the last one.
+        bisections: u32,
+    },
+    /// Steps of equal depth, and a secant.
+    ParallaxOcclusion {
+        /// Steps from the top to the floor.
+        steps: u32,
+    },
+    /// Cone steps that end in an exact cell.
+    ConeSteps,
+    /// Relaxed cone steps, and a bisection.
+    RelaxedConeSteps {
+        /// Halvings of the last step.
+        bisections: u32,
+    },
+    /// Traversal of maximum mips, exact.
+    MaximumMip,
+}
+
+/// Something a shader can do. Each is a part of WGSL, and a twin in `barchan-shade`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Technique {
+    /// Heights and normals of the surface: `barchan_height_at`, `barchan_surface_normal`.
+    Surface,
+    /// Shadows on a flat base: `barchan_horizon_in_shadow`.
+    HorizonShadow,
+    /// Shadows on a curved base, convex or concave, by as many points as there are: `barchan_curved_in_shadow`.
+    CurvedShadow,
+    /// Soft shadows of a disc: `barchan_penumbra_visibility`.
+    Penumbra,
+    /// Light of the sky: `barchan_sky_visibility`, `barchan_sky_irradiance`, and `barchan_sky_bent_normal` where it is loaded.
+    Sky,
+    /// The cone of the visible sky: `barchan_aperture_cone`.
+    ApertureCone,
+    /// Where a ray meets the relief, from a hemisphere table's start where it is loaded: `barchan_relief_find`.
+    Relief(ReliefSearch),
+    /// Shadows of relief by that search: `barchan_relief_in_shadow`.
+    ReliefShadow,
+}
+
+impl Technique {
+    /// What people call it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Surface => "surface",
+            Self::HorizonShadow => "horizon shadow",
+            Self::CurvedShadow => "curved shadow",
+            Self::Penumbra => "penumbra",
+            Self::Sky => "sky",
+            Self::ApertureCone => "aperture cone",
+            Self::Relief(ReliefSearch::Linear { .. }) => "relief by linear search",
+            Self::Relief(ReliefSearch::ParallaxOcclusion { .. }) => "relief by parallax occlusion",
+            Self::Relief(ReliefSearch::ConeSteps) => "relief by cone steps",
+            Self::Relief(ReliefSearch::RelaxedConeSteps { .. }) => "relief by relaxed cone steps",
+            Self::Relief(ReliefSearch::MaximumMip) => "relief by maximum mip",
+            Self::ReliefShadow => "relief shadow",
+        }
+    }
+
+    /// The fragment stage that draws its numbers, in a shader with probes.
+    #[must_use]
+    pub fn probe(self) -> &'static str {
+        match self {
+            Self::Surface => "barchan_probe_surface",
+            Self::HorizonShadow => "barchan_probe_horizon",
+            Self::CurvedShadow => "barchan_probe_curved",
+            Self::Penumbra => "barchan_probe_penumbra",
+            Self::Sky => "barchan_probe_sky",
+            Self::ApertureCone => "barchan_probe_aperture",
+            Self::Relief(_) => "barchan_probe_relief",
+            Self::ReliefShadow => "barchan_probe_relief_shadow",
+        }
+    }
+
+    /// The tables it cannot do without.
+    #[must_use]
+    pub fn required(self) -> &'static [Semantic] {
+        match self {
+            Self::Surface => &[Semantic::Height],
+            Self::HorizonShadow => &[Semantic::HorizonElevation],
+            Self::CurvedShadow => &[Semantic::Height, Semantic::HorizonElevation, Semantic::HorizonDistance],
+            Self::Penumbra => &[Semantic::HorizonElevation, Semantic::HorizonDistance],
+            Self::Sky => &[Semantic::SkyVisibility],
+            Self::ApertureCone => &[Semantic::ApertureCone],
+            Self::Relief(ReliefSearch::ConeSteps) => &[Semantic::Height, Semantic::ConeMap],
+            Self::Relief(ReliefSearch::RelaxedConeSteps { .. }) => &[Semantic::Height, Semantic::RelaxedConeMap],
+            Self::Relief(ReliefSearch::MaximumMip) => &[Semantic::Height, Semantic::MaximumHeight],
+            Self::Relief(_) | Self::ReliefShadow => &[Semantic::Height],
+        }
+    }
+
+    /// The tables it uses where they are loaded, all or none of them.
+    #[must_use]
+    pub fn optional(self) -> &'static [Semantic] {
+        match self {
+            Self::CurvedShadow => &[Semantic::SweptElevation, Semantic::SweptDistance],
+            Self::Sky => &[Semantic::BentNormal],
+            Self::Relief(_) => &[Semantic::HemisphereDepth],
+            _ => &[],
+        }
+    }
+
+    /// The tables of a plan that it reads.
+    pub(super) fn tables(self, plan: &UploadPlan) -> Result<Vec<Semantic>, ComposeError> {
+        let is_loaded = |table: &Semantic| plan.texture(*table).is_some();
+        if let Some(&table) = self.required().iter().find(|table| !is_loaded(table)) {
+            return Err(ComposeError::Missing { technique: self, table });
+        }
+        let mut tables = self.required().to_vec();
+        if self.optional().iter().all(is_loaded) {
+            tables.extend(self.optional());
+        }
+        Ok(tables)
+    }
+
+    /// The parts of WGSL it is made of, those it stands on first.
+    pub(super) fn parts(self, has: &dyn Fn(Semantic) -> bool, probes: bool) -> Vec<&'static str> {
+        let mut parts = match self {
+            Self::Surface => vec![include_str!("wgsl/surface.wgsl")],
+            Self::HorizonShadow => vec![include_str!("wgsl/azimuths.wgsl"), include_str!("wgsl/horizon.wgsl")],
+            _ => Vec::new(),
+        };
+        let _ = has;
+        if probes {
+            parts.push(include_str!("wgsl/probe.wgsl"));
+            parts.extend(self.probe_part());
+        }
+        parts
+    }
+
+    fn probe_part(self) -> Option<&'static str> {
+        match self {
+            Self::Surface => Some(include_str!("wgsl/probe_surface.wgsl")),
+            Self::HorizonShadow => Some(include_str!("wgsl/probe_horizon.wgsl")),
+            _ => None,
+        }
+    }
+}
+
+/// Techniques that go together.
+pub(super) fn check(techniques: &[Technique]) -> Result<(), ComposeError> {
+    let searches = techniques.iter().filter(|technique| matches!(technique, Technique::Relief(_))).count();
+    if searches > 1 {
+        return Err(ComposeError::TwoSearches);
+    }
+    if searches == 0 && techniques.contains(&Technique::ReliefShadow) {
+        return Err(ComposeError::NoSearch);
+    }
+    Ok(())
+}
+
+/// The numbers of searches.
+pub(super) fn constants(techniques: &[Technique]) -> String {
+    let of = |technique: &Technique| match *technique {
+        Technique::Relief(ReliefSearch::Linear { steps, bisections }) => Some((steps, bisections)),
+        Technique::Relief(ReliefSearch::ParallaxOcclusion { steps }) => Some((steps, 0)),
+        Technique::Relief(ReliefSearch::RelaxedConeSteps { bisections }) => Some((0, bisections)),
+        _ => None,
+    };
+    techniques.iter().find_map(of).map_or_else(String::new, |(steps, bisections)| {
+        let (steps, bisections) = (steps.clamp(1, 1 << 12), bisections.min(32));
+        format!("\nconst BARCHAN_STEPS: i32 = {steps};\nconst BARCHAN_BISECTIONS: i32 = {bisections};\n")
+    })
+}

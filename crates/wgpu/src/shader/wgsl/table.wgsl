@@ -1,0 +1,104 @@
+// What an asset's tables are, and what all of them share.
+
+// The numbers of a table; 96 bytes.
+struct BarchanTable {
+    // Texels along u and v.
+    extent: vec2<f32>,
+    // Length per texel along u and v.
+    spacing: vec2<f32>,
+    // A value is the transfer of scale · stored + bias.
+    scale: f32,
+    bias: f32,
+    // 0: none, 1: the arcsine, 2: the square.
+    transfer: u32,
+    // Bit 0: it repeats along u, bit 1: along v. Otherwise the outermost texel goes on.
+    edges: u32,
+    // The azimuth of layer 0, in radians counter-clockwise from +u, and from one to the next.
+    first_azimuth: f32,
+    azimuth_step: f32,
+    azimuths: u32,
+    // 1 where the last azimuth is followed by the first.
+    is_circle: u32,
+    // Layers per azimuth of a swept table, and of a hemisphere table.
+    candidates: u32,
+    rings: u32,
+    // 1: rings of equal angles, 2: of squared tangents.
+    ring_spacing: u32,
+    // 1: depths of the nearest ray, 2: conservative.
+    depth_mode: u32,
+    // The tangent of the polar angle at which the last ring ends, and the angle.
+    max_tangent: f32,
+    max_polar: f32,
+    // The height of depth 0, and from there down to depth 1.
+    relief_top: f32,
+    relief_thickness: f32,
+    // The level of the table that is the texture's finest, and how many there are from there.
+    first_level: u32,
+    levels: u32,
+    // The least and the greatest value.
+    least: f32,
+    greatest: f32,
+}
+
+@group(0) @binding(0) var<uniform> barchan_tables: array<BarchanTable, 12>;
+
+// The texel of a level that stands for a place inside or beyond the edges.
+fn barchan_inside(table: u32, place: vec2<i32>, level: i32) -> vec2<i32> {
+    let first = barchan_tables[table].first_level;
+    let whole = vec2<i32>(barchan_tables[table].extent);
+    let extent = max(whole >> vec2<u32>(first + u32(level)), vec2<i32>(1));
+    let edges = barchan_tables[table].edges;
+    let repeated = ((place % extent) + extent) % extent;
+    let clamped = clamp(place, vec2<i32>(0), extent - 1);
+    return select(clamped, repeated, vec2<bool>((edges & 1u) != 0u, (edges & 2u) != 0u));
+}
+
+fn barchan_scaled(table: u32, stored: f32) -> f32 {
+    return barchan_tables[table].scale * stored + barchan_tables[table].bias;
+}
+
+fn barchan_scaled_2(table: u32, stored: vec2<f32>) -> vec2<f32> {
+    return barchan_tables[table].scale * stored + barchan_tables[table].bias;
+}
+
+fn barchan_scaled_4(table: u32, stored: vec4<f32>) -> vec4<f32> {
+    return barchan_tables[table].scale * stored + barchan_tables[table].bias;
+}
+
+fn barchan_scaled_cone(table: u32, stored: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(stored.x, barchan_scaled(table, stored.y));
+}
+
+fn barchan_transferred(table: u32, number: f32) -> f32 {
+    switch barchan_tables[table].transfer {
+        case 1u: { return barchan_arcsine(number); }
+        case 2u: { return number * number; }
+        default: { return number; }
+    }
+}
+
+fn barchan_transferred_2(table: u32, number: vec2<f32>) -> vec2<f32> {
+    return number;
+}
+
+fn barchan_transferred_4(table: u32, number: vec4<f32>) -> vec4<f32> {
+    return number;
+}
+
+fn barchan_transferred_cone(table: u32, number: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(number.x, barchan_transferred(table, number.y));
+}
+
+// The angle of a sine, within ±π/2, to 2 ulp: Vulkan promises 4096.
+fn barchan_arcsine(sine: f32) -> f32 {
+    let size = min(abs(sine), 1.0);
+    // Beyond ½ the half-angle: asin s = π/2 − 2 asin √((1 − s) / 2).
+    let is_steep = size > 0.5;
+    let square = select(size * size, 0.5 * (1.0 - size), is_steep);
+    let root = select(size, sqrt(square), is_steep);
+    // Stephen Moshier, Cephes mathematical library, 1989: asinf.
+    let series = ((((4.2163199048e-2 * square + 2.4181311049e-2) * square + 4.5470025998e-2) * square
+        + 7.4953002686e-2) * square + 1.6666752422e-1) * square * root + root;
+    let angle = select(series, 1.5707962513 - 2.0 * series, is_steep);
+    return select(angle, -angle, sine < 0.0);
+}
