@@ -22,8 +22,10 @@ impl Gpu {
     /// No GPU; the message names what installs one.
     pub fn open() -> Result<Self, GpuError> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-        let options =
-            wgpu::RequestAdapterOptions { power_preference: wgpu::PowerPreference::HighPerformance, ..Default::default() };
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            ..Default::default()
+        };
         let adapter = wait(instance.request_adapter(&options)).map_err(|error| no_adapter(&error))?;
         let optional = wgpu::Features::FLOAT32_FILTERABLE | wgpu::Features::TIMESTAMP_QUERY;
         let (device, queue) = wait(adapter.request_device(&wgpu::DeviceDescriptor {

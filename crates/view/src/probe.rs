@@ -141,7 +141,11 @@ impl<'a> ProbePass<'a> {
                 cache: None,
             });
             let entries = asset.entries(&shader, Some(&probe));
-            let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout: &layout, entries: &entries });
+            let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: None,
+                layout: &layout,
+                entries: &entries,
+            });
             (pipeline, bind_group)
         })?;
         Ok(Self { gpu, pipeline, bind_group, probe })
@@ -196,7 +200,10 @@ impl<'a> ProbePass<'a> {
                 view: target,
                 depth_slice: None,
                 resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store },
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                },
             })],
             ..Default::default()
         });
@@ -210,7 +217,9 @@ impl<'a> ProbePass<'a> {
         buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| drop(sender.send(mapped)));
         self.gpu.finish()?;
         let lost = |reason: String| GpuError::Device { reason };
-        wait(async { receiver.recv() }).map_err(|error| lost(error.to_string()))?.map_err(|error| lost(error.to_string()))?;
+        wait(async { receiver.recv() })
+            .map_err(|error| lost(error.to_string()))?
+            .map_err(|error| lost(error.to_string()))?;
         let view = buffer.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
         Ok(view.to_vec())
     }

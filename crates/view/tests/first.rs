@@ -20,17 +20,27 @@ fn horizons_agree_with_the_cpu() {
         for (azimuth, elevation) in [(0.0, 10.0), (33.0, 5.0), (350.0, 20.0), (359.99, 0.0)] {
             let light = DirectionalLight::from_degrees(azimuth, elevation);
             let shadow = HorizonShadow::new(&horizon, &light);
-            let probe = Probe { size: (300, 300), place: [-20.0, -13.0], step: [2.37, 1.91], light: light.towards.as_vec3().to_array(), ..Probe::default() };
+            let probe = Probe {
+                size: (300, 300),
+                place: [-20.0, -13.0],
+                step: [2.37, 1.91],
+                light: light.towards.as_vec3().to_array(),
+                ..Probe::default()
+            };
             let t = std::time::Instant::now();
             let found = pass.draw(&probe).unwrap();
             let t = t.elapsed();
             let (mut worst, mut wrong) = (0.0_f64, 0);
             for (i, p) in found.iter().enumerate() {
-                let (x, y) = (f64::from(-20.0 + 2.37_f32 * (i % 300) as f32), f64::from(-13.0 + 1.91_f32 * (i / 300) as f32));
+                let (x, y) =
+                    (f64::from(-20.0 + 2.37_f32 * (i % 300) as f32), f64::from(-13.0 + 1.91_f32 * (i / 300) as f32));
                 worst = worst.max((f64::from(p[0]) - shadow.elevation_radians(x, y)).abs());
                 wrong += usize::from((p[1] > 0.5) != shadow.in_shadow(x, y));
             }
-            println!("{sampling:?} {azimuth} {elevation}: worst {worst:e} rad, wrong {wrong} of {}, {t:?}", found.len());
+            println!(
+                "{sampling:?} {azimuth} {elevation}: worst {worst:e} rad, wrong {wrong} of {}, {t:?}",
+                found.len()
+            );
         }
     }
     let _ = (Semantic::Height, HeightView::new);

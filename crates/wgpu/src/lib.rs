@@ -40,9 +40,7 @@ mod shader;
 #[cfg(feature = "device")]
 pub use device::{GpuAsset, UploadError};
 pub use parameters::{PARAMETER_BYTES, TABLE_BYTES};
-pub use plan::{
-    ColumnPlan, CurvaturePlan, DeviceLimits, PlanError, Shape, TextureCopy, TexturePlan, UploadPlan,
-};
+pub use plan::{ColumnPlan, CurvaturePlan, DeviceLimits, PlanError, Shape, TextureCopy, TexturePlan, UploadPlan};
 pub use reader::{ReadError, Reader, TextureSection};
 pub use selection::{Selection, TablePart};
 pub use shader::{

@@ -30,7 +30,9 @@ pub enum UploadError {
 impl fmt::Display for UploadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::OtherFile { kind } => write!(f, "section {kind} is not as it was planned; plan and file must belong together"),
+            Self::OtherFile { kind } => {
+                write!(f, "section {kind} is not as it was planned; plan and file must belong together")
+            }
             Self::Payload { kind, reason } => write!(f, "section {kind}: {reason}"),
             Self::Device { reason } => write!(f, "the device refused the upload: {reason}"),
         }

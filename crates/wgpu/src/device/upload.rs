@@ -147,9 +147,10 @@ fn upload_texture(device: &wgpu::Device, queue: &wgpu::Queue, plan: &TexturePlan
 /// Tables of one asset have the same edges.
 fn sampler(device: &wgpu::Device, plan: &UploadPlan) -> wgpu::Sampler {
     let mode = |wrap| if wrap == Wrap::Repeat { wgpu::AddressMode::Repeat } else { wgpu::AddressMode::ClampToEdge };
-    let edges = plan.textures().first().map_or((Wrap::Clamp, Wrap::Clamp), |texture| {
-        (texture.descriptor.wrap_u, texture.descriptor.wrap_v)
-    });
+    let edges = plan
+        .textures()
+        .first()
+        .map_or((Wrap::Clamp, Wrap::Clamp), |texture| (texture.descriptor.wrap_u, texture.descriptor.wrap_v));
     device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("barchan"),
         address_mode_u: mode(edges.0),

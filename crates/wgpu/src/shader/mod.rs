@@ -3,7 +3,7 @@
 //! # Parts
 //!
 //! Every part is WGSL without imports; every global name begins with `barchan_`, `Barchan` or `BARCHAN_`. A shader is
-//! 1. `table.wgsl`: the uniform buffer of the asset's numbers, and what all tables share;
+//! 1. `functions.wgsl` and `table.wgsl`: arcs and sines, the uniform buffer of the asset's numbers, and what all tables share;
 //! 2. for each table that a technique reads its texture, and functions that load texels and interpolate between them
 //!    (`access.rs`): from a 2-D texture, a layered one or a volume, filtered by the sampler or by four loads;
 //! 3. a part for each [`Technique`], and for those that they stand on.
@@ -121,7 +121,7 @@ impl Shader {
     pub fn compose(plan: &UploadPlan, techniques: &[Technique], options: &ShaderOptions) -> Result<Self, ComposeError> {
         technique::check(techniques)?;
         let mut tables: Vec<Semantic> = Vec::new();
-        let mut parts: Vec<&'static str> = vec![include_str!("wgsl/table.wgsl")];
+        let mut parts: Vec<&'static str> = vec![include_str!("wgsl/functions.wgsl"), include_str!("wgsl/table.wgsl")];
         for technique in techniques {
             for table in technique.tables(plan)? {
                 if !tables.contains(&table) {
@@ -137,24 +137,23 @@ impl Shader {
             }
         }
         let textures: Vec<_> = tables.iter().filter_map(|&table| plan.texture(table)).collect();
-        let is_filtered = |texture: &&crate::TexturePlan| options.sampling == Sampling::Filtered && texture.is_filterable;
-        let mut source = parts[0].to_owned();
+        let is_filtered =
+            |texture: &&crate::TexturePlan| options.sampling == Sampling::Filtered && texture.is_filterable;
+        let (shared, of_techniques) = parts.split_at(2);
+        let mut source = shared.join("\n");
         let mut bindings = vec![BindingKind::Parameters];
         if textures.iter().any(is_filtered) {
             source += access::SAMPLER;
             bindings.push(BindingKind::Sampler);
         }
         for texture in &textures {
-            let kind = BindingKind::Texture {
-                table: texture.table,
-                shape: texture.shape,
-                is_filtered: is_filtered(texture),
-            };
+            let kind =
+                BindingKind::Texture { table: texture.table, shape: texture.shape, is_filtered: is_filtered(texture) };
             source += &access::of_table(texture, is_filtered(texture));
             bindings.push(kind);
         }
         source += &technique::constants(techniques);
-        for part in &parts[1..] {
+        for part in of_techniques {
             source += "\n";
             source += part;
         }

@@ -131,28 +131,69 @@ impl Technique {
         Ok(tables)
     }
 
-    /// The parts of WGSL it is made of, those it stands on first.
+    /// The parts of WGSL it is made of, those it stands on first; `has` tells which tables are bound.
     pub(super) fn parts(self, has: &dyn Fn(Semantic) -> bool, probes: bool) -> Vec<&'static str> {
         let mut parts = match self {
             Self::Surface => vec![include_str!("wgsl/surface.wgsl")],
             Self::HorizonShadow => vec![include_str!("wgsl/azimuths.wgsl"), include_str!("wgsl/horizon.wgsl")],
-            _ => Vec::new(),
+            Self::CurvedShadow => curved_parts(has),
+            Self::Penumbra => vec![include_str!("wgsl/azimuths.wgsl"), include_str!("wgsl/penumbra.wgsl")],
+            Self::Sky if has(Semantic::BentNormal) => {
+                vec![include_str!("wgsl/sky_bent_normal.wgsl"), include_str!("wgsl/sky.wgsl")]
+            }
+            Self::Sky => vec![include_str!("wgsl/sky_even.wgsl"), include_str!("wgsl/sky.wgsl")],
+            Self::ApertureCone => vec![include_str!("wgsl/aperture.wgsl")],
+            Self::Relief(search) => relief_parts(search, has),
+            Self::ReliefShadow => vec![include_str!("wgsl/relief_shadow.wgsl")],
         };
-        let _ = has;
         if probes {
             parts.push(include_str!("wgsl/probe.wgsl"));
-            parts.extend(self.probe_part());
+            parts.push(self.probe_part());
         }
         parts
     }
 
-    fn probe_part(self) -> Option<&'static str> {
+    fn probe_part(self) -> &'static str {
         match self {
-            Self::Surface => Some(include_str!("wgsl/probe_surface.wgsl")),
-            Self::HorizonShadow => Some(include_str!("wgsl/probe_horizon.wgsl")),
-            _ => None,
+            Self::Surface => include_str!("wgsl/probe_surface.wgsl"),
+            Self::HorizonShadow => include_str!("wgsl/probe_horizon.wgsl"),
+            Self::CurvedShadow => include_str!("wgsl/probe_curved.wgsl"),
+            Self::Penumbra => include_str!("wgsl/probe_penumbra.wgsl"),
+            Self::Sky => include_str!("wgsl/probe_sky.wgsl"),
+            Self::ApertureCone => include_str!("wgsl/probe_aperture.wgsl"),
+            Self::Relief(_) => include_str!("wgsl/probe_relief.wgsl"),
+            Self::ReliefShadow => include_str!("wgsl/probe_relief_shadow.wgsl"),
         }
     }
+}
+
+fn curved_parts(has: &dyn Fn(Semantic) -> bool) -> Vec<&'static str> {
+    let points = match has(Semantic::SweptElevation) {
+        true => include_str!("wgsl/curved_points_swept.wgsl"),
+        false => include_str!("wgsl/curved_points_flat.wgsl"),
+    };
+    vec![
+        include_str!("wgsl/azimuths.wgsl"),
+        include_str!("wgsl/tangent.wgsl"),
+        include_str!("wgsl/curvature.wgsl"),
+        points,
+        include_str!("wgsl/curved.wgsl"),
+    ]
+}
+
+fn relief_parts(search: ReliefSearch, has: &dyn Fn(Semantic) -> bool) -> Vec<&'static str> {
+    let start = match has(Semantic::HemisphereDepth) {
+        true => include_str!("wgsl/relief_start_depth_map.wgsl"),
+        false => include_str!("wgsl/relief_start_top.wgsl"),
+    };
+    let search = match search {
+        ReliefSearch::Linear { .. } => include_str!("wgsl/relief_linear.wgsl"),
+        ReliefSearch::ParallaxOcclusion { .. } => include_str!("wgsl/relief_parallax.wgsl"),
+        ReliefSearch::ConeSteps => include_str!("wgsl/relief_cones.wgsl"),
+        ReliefSearch::RelaxedConeSteps { .. } => include_str!("wgsl/relief_relaxed_cones.wgsl"),
+        ReliefSearch::MaximumMip => include_str!("wgsl/relief_maximum_mip.wgsl"),
+    };
+    vec![include_str!("wgsl/relief.wgsl"), start, search, include_str!("wgsl/relief_find.wgsl")]
 }
 
 /// Techniques that go together.

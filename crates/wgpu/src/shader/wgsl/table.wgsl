@@ -88,17 +88,3 @@ fn barchan_transferred_4(table: u32, number: vec4<f32>) -> vec4<f32> {
 fn barchan_transferred_cone(table: u32, number: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(number.x, barchan_transferred(table, number.y));
 }
-
-// The angle of a sine, within ±π/2, to 2 ulp: Vulkan promises 4096.
-fn barchan_arcsine(sine: f32) -> f32 {
-    let size = min(abs(sine), 1.0);
-    // Beyond ½ the half-angle: asin s = π/2 − 2 asin √((1 − s) / 2).
-    let is_steep = size > 0.5;
-    let square = select(size * size, 0.5 * (1.0 - size), is_steep);
-    let root = select(size, sqrt(square), is_steep);
-    // Stephen Moshier, Cephes mathematical library, 1989: asinf.
-    let series = ((((4.2163199048e-2 * square + 2.4181311049e-2) * square + 4.5470025998e-2) * square
-        + 7.4953002686e-2) * square + 1.6666752422e-1) * square * root + root;
-    let angle = select(series, 1.5707962513 - 2.0 * series, is_steep);
-    return select(angle, -angle, sine < 0.0);
-}
