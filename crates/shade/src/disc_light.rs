@@ -37,9 +37,24 @@ impl DiscLight {
         libm::atan2(self.towards.y, self.towards.x)
     }
 
-    /// The elevation of its centre above the base plane, in radians.
+    /// How wide its penumbra is on level ground, along the light: from where the disc begins to be seen to where it is all seen, about
+    /// a place that sees half of it over a straight level edge square to the light, `distance` away along the base plane. In the unit
+    /// of lengths.
+    ///
+    /// With θ the elevation of the light and α′ the angular radius of its disc as the edge sees it, tan α′ = tan α · D / (D − d),
+    ///
+    /// > w = d tan θ (cot(θ − α′) − cot(θ + α′)) = 2 d tan θ tan α′ / (sin² θ − cos² θ tan² α′).
+    ///
+    /// It is exact for a sun, and for a disc close by as it faces that place. 0 for an edge behind the light; infinite where the
+    /// light sets, θ ≤ α′.
     #[must_use]
-    pub fn elevation_radians(&self) -> f64 {
-        libm::atan2(self.towards.z, self.towards.truncate().length())
+    pub fn penumbra_width(&self, distance: f64) -> f64 {
+        if distance >= self.level_distance {
+            return 0.0;
+        }
+        let spread = libm::tan(self.angular_radius_radians) / (1.0 - distance / self.level_distance);
+        let (level, height) = (self.towards.truncate().length(), self.towards.z);
+        let above_ground = level * (height * height - level * level * spread * spread);
+        if height > 0.0 && above_ground > 0.0 { 2.0 * distance * height * spread / above_ground } else { f64::INFINITY }
     }
 }
