@@ -19,7 +19,8 @@ pub struct TracedPenumbra<'a> {
 }
 
 impl<'a> TracedPenumbra<'a> {
-    /// `samples` rays to each disc look `radius` far along the base plane, in the surface's length unit, and no farther than the light.
+    /// `samples` rays to each disc look `radius` far along the base plane, in the surface's length unit, and no farther than the light. Light
+    /// from the zenith itself has no level distance: its rays look as far as the others.
     #[must_use]
     pub fn new(surface: &'a Surface, radius: f64, samples: u32) -> Self {
         Self { surface, range: surface.heights().range(), radius, samples }
@@ -45,7 +46,8 @@ impl<'a> TracedPenumbra<'a> {
         let (right, up) = light.towards.any_orthonormal_pair();
         let off_centre = part.sqrt() * libm::tan(light.angular_radius_radians);
         let point = light.towards + (right * cos + up * sin) * off_centre;
-        // Of a disc at the distance 1, which is as far along the base plane as the light's direction is level.
+        // The disc at the distance 1 is as far along the base plane as the light's direction is level. NaN at the zenith, which
+        // `f64::min` passes over.
         let scale = light.level_distance / light.towards.truncate().length();
         (point.normalize(), point.truncate().length() * scale)
     }
