@@ -38,8 +38,7 @@ impl<'a> TracedPenumbra<'a> {
         seen as f64 / f64::from(self.samples.max(1))
     }
 
-    /// Towards a point of the disc, and how far along the base plane it is: a spiral, Helmut Vogel, *A better way to construct the
-    /// sunflower head*, 1979.
+    /// Towards a point of the disc, and how far along the base plane it is: of a spiral with as much area from one point to the next.
     fn sample(&self, light: &DiscLight, sample: u32) -> (DVec3, f64) {
         let part = (f64::from(sample) + 0.5) / f64::from(self.samples);
         let (sin, cos) = libm::sincos(GOLDEN_ANGLE * f64::from(sample));
