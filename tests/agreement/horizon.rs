@@ -96,10 +96,8 @@ impl<'a> Horizons<'a> {
         layers[first as usize].at(x, y).mix(layers[second as usize].at(x, y), f64::from(weight))
     }
 
-    /// The greatest difference, for who wants to see it.
-    #[expect(clippy::print_stdout, reason = "seen with --nocapture alone")]
     fn report(&self) {
-        println!("{}: {:e} of {:e} rad", self.name, self.worst, self.tolerance);
+        support::report(&self.name, self.worst, self.tolerance);
     }
 }
 

@@ -7,4 +7,7 @@
 mod band;
 mod compare;
 mod horizon;
+mod penumbra;
+mod sky;
 mod support;
+mod texels;
