@@ -4,6 +4,7 @@ mod bind;
 mod error;
 mod upload;
 mod words;
+mod writer;
 
 pub use error::UploadError;
 pub use upload::GpuAsset;

@@ -7,7 +7,8 @@ use barchan_asset::{CurvatureColumn, SectionKind, Semantic, Wrap};
 
 use super::UploadError;
 use super::words::{dimension, texture_format, view_dimension};
-use crate::{ColumnPlan, PARAMETER_BYTES, Reader, TextureCopy, TexturePlan, UploadPlan};
+use super::writer::Writer;
+use crate::{ColumnPlan, PARAMETER_BYTES, Reader, TexturePlan, UploadPlan};
 
 /// What of an asset is on a device.
 #[derive(Debug)]
@@ -74,7 +75,6 @@ impl GpuAsset {
         (asset, textures)
     }
 
-    /// What is written is handed over table by table, so that the driver's own copies need not wait for the last one.
     fn write(
         &self,
         queue: &wgpu::Queue,
@@ -82,21 +82,21 @@ impl GpuAsset {
         reader: &Reader<'_>,
         plan: &UploadPlan,
     ) -> Result<(), UploadError> {
+        let mut writer = Writer::new(queue);
         for (texture, plan) in textures.iter().zip(plan.textures()) {
             let payload = reader.payload(plan.table.kind())?;
             for copy in &plan.copies {
-                write_texture(queue, texture, copy, copy.of(&payload).ok_or(UploadError::OtherFile)?);
+                writer.texture(texture, copy, copy.of(&payload).ok_or(UploadError::OtherFile)?);
             }
-            queue.submit([]);
         }
         if let Some(curvature) = plan.curvature() {
             let payload = reader.payload(SectionKind::CURVATURE)?;
             for ((_, buffer), column) in self.columns.iter().zip(&curvature.columns) {
-                queue.write_buffer(buffer, 0, column.of(&payload).ok_or(UploadError::OtherFile)?);
+                writer.buffer(buffer, column.of(&payload).ok_or(UploadError::OtherFile)?);
             }
         }
-        queue.write_buffer(&self.parameters, 0, &plan.parameters());
-        queue.submit([]);
+        writer.buffer(&self.parameters, &plan.parameters());
+        writer.finish();
         Ok(())
     }
 
@@ -163,19 +163,6 @@ fn create_column(device: &wgpu::Device, plan: &ColumnPlan) -> wgpu::Buffer {
 fn create_buffer(device: &wgpu::Device, label: &str, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
     let usage = usage | wgpu::BufferUsages::COPY_DST;
     device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
-}
-
-fn write_texture(queue: &wgpu::Queue, texture: &wgpu::Texture, copy: &TextureCopy, bytes: &[u8]) {
-    let to = wgpu::TexelCopyTextureInfo {
-        texture,
-        mip_level: copy.level,
-        origin: wgpu::Origin3d { x: 0, y: 0, z: copy.first_layer },
-        aspect: wgpu::TextureAspect::All,
-    };
-    let (bytes_per_row, rows_per_image) = (Some(copy.bytes_per_row), Some(copy.extent.1));
-    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row, rows_per_image };
-    let extent = wgpu::Extent3d { width: copy.extent.0, height: copy.extent.1, depth_or_array_layers: copy.layers };
-    queue.write_texture(to, bytes, layout, extent);
 }
 
 fn view(texture: &wgpu::Texture, plan: &TexturePlan) -> wgpu::TextureView {
