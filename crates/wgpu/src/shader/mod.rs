@@ -20,6 +20,7 @@
 //! Vulkan promises little of sines and arcsines in a shader (2⁻¹¹ and 4096 ulp), so `functions.wgsl` has its own.
 
 mod access;
+mod alike;
 mod technique;
 
 use std::fmt;
@@ -100,6 +101,18 @@ pub enum ComposeError {
         technique: Technique,
         /// Which table.
         table: Semantic,
+    },
+    /// Two tables of a technique do not lie alike, so that one place and one azimuth cannot stand for both: in the file, or because other
+    /// parts of them were selected.
+    Unlike {
+        /// Which technique.
+        technique: Technique,
+        /// One of them.
+        table: Semantic,
+        /// The other.
+        other: Semantic,
+        /// What differs.
+        field: &'static str,
     },
     /// Shadows of relief need a technique that finds relief.
     NoSearch,
@@ -198,6 +211,13 @@ impl fmt::Display for ComposeError {
             Self::Missing { technique, table } => {
                 write!(f, "{} needs the table {}, which is not loaded", technique.name(), table.kind())
             }
+            Self::Unlike { technique, table, other, field } => write!(
+                f,
+                "{} needs the same {field} of the tables {} and {}; theirs differ",
+                technique.name(),
+                table.kind(),
+                other.kind()
+            ),
             Self::NoSearch => write!(f, "relief shadow needs a way to find relief; name a relief technique beside it"),
             Self::TwoSearches => write!(f, "two ways to find relief are named; one is accepted"),
         }

@@ -2,7 +2,7 @@
 
 use barchan_asset::Semantic;
 
-use super::ComposeError;
+use super::{ComposeError, alike};
 use crate::UploadPlan;
 
 /// Steps of the searches that have a fixed number, where nobody says otherwise.
@@ -128,6 +128,7 @@ impl Technique {
         if self.optional().iter().all(is_loaded) {
             tables.extend(self.optional());
         }
+        alike::check(self, &tables, plan)?;
         Ok(tables)
     }
 
