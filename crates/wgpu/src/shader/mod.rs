@@ -114,7 +114,7 @@ pub enum ComposeError {
 
 impl Shader {
     /// Bytes of the uniform buffer of probes.
-    pub const PROBE_BYTES: usize = 128;
+    pub const PROBE_BYTES: usize = 112;
 
     /// The binding number of the uniform buffer of probes.
     pub const PROBE_BINDING: u32 = 14;
@@ -184,7 +184,8 @@ impl fmt::Display for ComposeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Missing { technique, table } => {
-                write!(f, "{} needs the table {}, which is not loaded", technique.name(), table.kind())
+                let table = table.kind().name().unwrap_or_default();
+                write!(f, "{} needs the table {table}, which is not loaded", technique.name())
             }
             Self::NoSearch => write!(f, "relief shadow needs a way to find relief; name a relief technique beside it"),
             Self::TwoSearches { first, second } => {
