@@ -9,6 +9,14 @@ pub(crate) struct Function {
     pub(crate) comment: String,
 }
 
+impl Function {
+    /// What it is called.
+    pub(crate) fn name(&self) -> &str {
+        let named = self.signature.trim_start_matches("fn ");
+        named.split('(').next().unwrap_or(named)
+    }
+}
+
 /// The functions of a source that have comments, in its order; entry points aside.
 pub(crate) fn documented(source: &str) -> Vec<Function> {
     let mut functions = Vec::new();

@@ -1,9 +1,10 @@
 //! The published shaders, and the shader of an asset.
 //!
 //! ```text
-//! cargo run -p barchan-wgpu --example shaders -- of FILE.barchan   what an asset's tables allow: techniques, bindings, WGSL
-//! cargo run -p barchan-wgpu --example shaders -- write             the files of crates/wgpu/shaders
-//! cargo run -p barchan-wgpu --example shaders -- check             fails if these are not what the source gives
+//! cargo run -p barchan-wgpu --example shaders -- of FILE.barchan     what an asset's tables allow: techniques, bindings, functions
+//! cargo run -p barchan-wgpu --example shaders -- wgsl FILE.barchan   the WGSL of all that
+//! cargo run -p barchan-wgpu --example shaders -- write               the files of crates/wgpu/shaders
+//! cargo run -p barchan-wgpu --example shaders -- check               fails if these are not what the source gives
 //! ```
 #![allow(clippy::print_stdout, reason = "an example for the terminal")]
 
@@ -22,36 +23,42 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use barchan_wgpu::{BindingKind, DeviceLimits, Reader, Selection, Shader, ShaderOptions, Technique, UploadPlan};
+use published::Published;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
 fn main() -> Outcome<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["of", path] => of_asset(Path::new(path)),
+        ["of", path] => of_file(Path::new(path)).map(|(techniques, shader)| describe(&techniques, &shader)),
+        ["wgsl", path] => of_file(Path::new(path)).map(|(_, shader)| println!("{}", shader.source())),
         ["write"] => write(&files()?),
         ["check"] => check(&files()?),
-        _ => Err("say `of FILE.barchan`, `write` or `check`".into()),
+        _ => Err("say `of FILE.barchan`, `wgsl FILE.barchan`, `write` or `check`".into()),
     }
 }
 
-/// Prints what the tables of a file allow, and what that binds.
-fn of_asset(path: &Path) -> Outcome<()> {
+/// What the tables of a file allow, and the shader of all of it.
+fn of_file(path: &Path) -> Outcome<(Vec<Technique>, Shader)> {
     let bytes = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let plan = UploadPlan::new(&Reader::open(&bytes)?, &Selection::everything(), &DeviceLimits::WEBGPU)?;
     let techniques = Technique::of_plan(&plan);
     let shader = Shader::compose(&plan, &techniques, &ShaderOptions::default())?;
-    let named: Vec<_> = techniques.iter().map(|technique| technique.name()).collect();
-    println!("techniques  {}\n", named.join(", "));
+    Ok((techniques, shader))
+}
+
+/// Prints techniques, with their functions, and bindings.
+fn describe(techniques: &[Technique], shader: &Shader) {
+    for technique in techniques {
+        let is_there = |name: &&&str| shader.source().contains(&format!("fn {name}("));
+        let functions: Vec<_> = technique.functions().iter().filter(is_there).copied().collect();
+        println!("{}: {}", technique.name(), functions.join(", "));
+    }
+    println!();
     for binding in shader.bindings() {
-        println!("{:>7}  {}", format!("{}.{}", binding.group, binding.binding), described(binding.kind));
+        println!("@group({}) @binding({})  {}", binding.group, binding.binding, described(binding.kind));
     }
-    println!("\nfunctions");
-    for function in functions::documented(shader.source()) {
-        println!("  {}", function.signature);
-    }
-    println!("\n{}", shader.source());
-    Ok(())
+    println!("\n{} lines of WGSL, import-free", shader.source().lines().count());
 }
 
 /// What is bound, in a few words.
@@ -78,6 +85,8 @@ fn files() -> Outcome<BTreeMap<String, Vec<u8>>> {
     for shader in &shaders {
         files.extend(shader.files());
     }
+    // The vertex stage is the same for all but for functions that it does not call.
+    files.extend(shaders.first().map(Published::vertex_file));
     files.insert("README.md".to_owned(), page::page(&shaders).into_bytes());
     Ok(files)
 }

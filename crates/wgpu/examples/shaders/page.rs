@@ -19,7 +19,7 @@ first light. `.frag` has the last probe of its shader as `main`; `probe.vert` is
 
 They are what `Shader::compose` gives with `Sampling::Filtered` and tables of 8 or 16 bits, in layered textures. Tables of 32-bit floats
 on a device that does not filter these, volumes, and other sets of techniques in one file:
-`cargo run -p barchan-wgpu --example shaders -- of FILE.barchan` prints the WGSL of an asset.
+`cargo run -p barchan-wgpu --example shaders -- wgsl FILE.barchan` prints the WGSL of an asset.
 
 No bounds checks were added: every loop has a bound, and places are brought inside a table before its texels are loaded. SPIR-V and GLSL
 have WebGPU's clip space, that of Direct3D and Metal. In HLSL the sampler has a register of its own, in place of naga's table of all
@@ -171,8 +171,9 @@ fn function_lists(page: &mut String, shaders: &[Published]) {
 
 Places are in texels from the centre of texel (0, 0), rows downwards; directions are in the frame (u, v up the picture, height); angles
 are in radians. `barchan_T_texel(texel, layer)` is the decoded value of any table T, beyond its edges too; `barchan_T_at(place, layer)`
-is the value between texels, where they may be interpolated."
+is the value between texels, where they may be interpolated. A game calls those in bold, which the others are parts of."
     );
+    let called: Vec<_> = shaders.iter().flat_map(|shader| &shader.techniques).flat_map(|of| of.functions()).collect();
     let mut groups: Vec<&Vec<&str>> = Vec::new();
     for (_, names) in &found {
         if !groups.contains(&names) {
@@ -183,7 +184,8 @@ is the value between texels, where they may be interpolated."
         let title = if group.len() == shaders.len() { "every shader".to_owned() } else { group.join(", ") };
         line!(page, "\n### In {title}\n");
         for (function, _) in found.iter().filter(|(_, names)| names == group) {
-            line!(page, "- `{}`  \n  {}", function.signature, function.comment);
+            let bold = if called.iter().any(|name| **name == function.name()) { "**" } else { "" };
+            line!(page, "- {bold}`{}`{bold}  \n  {}", function.signature, function.comment);
         }
     }
 }

@@ -29,9 +29,14 @@ impl Published {
         Ok(Self { name: name.to_owned(), techniques: techniques.to_vec(), shader, translations })
     }
 
+    /// The vertex stage of its probes in GLSL: name and bytes.
+    pub(crate) fn vertex_file(&self) -> (String, Vec<u8>) {
+        ("probe.vert".to_owned(), self.translations.vertex.as_bytes().to_vec())
+    }
+
     /// Its files: name and bytes.
     pub(crate) fn files(&self) -> Vec<(String, Vec<u8>)> {
-        let Translations { spirv, vertex, fragments, hlsl, msl, .. } = &self.translations;
+        let Translations { spirv, fragments, hlsl, msl, .. } = &self.translations;
         let text = |name: String, text: &str| (name, text.as_bytes().to_vec());
         let name = &self.name;
         let mut files = vec![
@@ -39,8 +44,6 @@ impl Published {
             (format!("{name}.spv"), spirv.clone()),
             text(format!("{name}.hlsl"), hlsl),
             text(format!("{name}.metal"), msl),
-            // It is the same for all.
-            text("probe.vert".to_owned(), vertex),
         ];
         // The last technique is the one that stands on the others.
         let last = self.techniques.last().map_or("", |technique| technique.probe());

@@ -113,6 +113,31 @@ impl Technique {
         }
     }
 
+    /// The functions of WGSL that a game calls, those for optional tables only where these are loaded. The others that a shader has are
+    /// what these are made of.
+    #[must_use]
+    pub fn functions(self) -> &'static [&'static str] {
+        match self {
+            Self::Surface => &["barchan_height_at", "barchan_surface_slopes", "barchan_surface_normal"],
+            Self::HorizonShadow => &["barchan_horizon_elevation", "barchan_horizon_in_shadow"],
+            Self::CurvedShadow => &[
+                "barchan_texture_step",
+                "barchan_bump_normal",
+                "barchan_tangent_light",
+                "barchan_curvature_along",
+                "barchan_curved_elevation",
+                "barchan_curved_in_shadow",
+            ],
+            Self::Penumbra => &["barchan_penumbra_visibility"],
+            Self::Sky => &["barchan_sky_visibility", "barchan_sky_irradiance", "barchan_sky_bent_normal"],
+            Self::ApertureCone => &["barchan_aperture_cone"],
+            Self::Relief(_) => {
+                &["barchan_relief_ray", "barchan_relief_ray_through", "barchan_relief_find", "barchan_relief_at"]
+            }
+            Self::ReliefShadow => &["barchan_relief_in_shadow"],
+        }
+    }
+
     /// The fragment stage that draws its numbers, in a shader with probes.
     #[must_use]
     pub fn probe(self) -> &'static str {

@@ -73,6 +73,18 @@ fn every_technique_is_valid_alone_in_every_form() {
 }
 
 #[test]
+fn every_function_that_a_technique_names_is_there() {
+    let plan = plan(&Semantic::ALL);
+    for technique in PLAIN.into_iter().chain([Technique::Relief(SEARCHES[0]), Technique::ReliefShadow]) {
+        let set = [technique, Technique::Relief(SEARCHES[0])];
+        let module = module(Shader::compose(&plan, &set, &ShaderOptions::default()).unwrap().source());
+        for name in technique.functions() {
+            assert!(names(&module).contains(name), "{name}, of {}", technique.name());
+        }
+    }
+}
+
+#[test]
 fn every_global_name_has_the_prefix() {
     let plan = plan(&Semantic::ALL);
     for search in SEARCHES {
