@@ -154,5 +154,5 @@ fn a_compressed_table_is_decoded_within_limits() {
     assert!(plan.textures().iter().all(|texture| texture.payload_offset.is_none()));
     let few = barchan_asset::Limits { max_decoded_bytes: 100, ..Default::default() };
     let message = reader.with_limits(few).payload(Semantic::HorizonElevation.kind()).unwrap_err().to_string();
-    assert_eq!(message, "section HORZ: raw_length is 256; at most 100 bytes are accepted");
+    assert_eq!(message, "section HORZ: raw_length is 832; at most 100 bytes are accepted");
 }

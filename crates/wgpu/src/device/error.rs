@@ -12,17 +12,15 @@ pub enum UploadError {
     OtherFile,
     /// A section that cannot be read or decoded.
     Read(ReadError),
-    /// The device refused, has no memory left, or is lost.
+    /// The device refused.
     Device {
         /// What it says.
         reason: String,
     },
-}
-
-impl UploadError {
-    pub(super) fn lost() -> Self {
-        Self::Device { reason: "it is lost".into() }
-    }
+    /// The device has no memory left.
+    OutOfMemory,
+    /// The device is lost, before or on the way.
+    Lost,
 }
 
 impl From<ReadError> for UploadError {
@@ -37,6 +35,10 @@ impl fmt::Display for UploadError {
             Self::OtherFile => write!(f, "the upload was planned for another file; plan it again for this one"),
             Self::Read(error) => write!(f, "{error}"),
             Self::Device { reason } => write!(f, "the device refused the upload: {reason}"),
+            Self::OutOfMemory => {
+                write!(f, "the device has no memory left for the upload; load fewer tables, or parts of them")
+            }
+            Self::Lost => write!(f, "the device is lost; make another one and upload again"),
         }
     }
 }

@@ -37,13 +37,67 @@ impl GpuAsset {
         if reader.asset().identity() != plan.identity() {
             return Err(UploadError::OtherFile);
         }
-        let held = checked(device, || Held::create(device, plan)).await?;
-        checked(device, || held.write(queue, reader, plan)).await??;
-        // The last thing to be made is mapped: a lost device, which reports nothing to error scopes, cannot map it.
-        let parameters = checked(device, || parameters(device, plan)).await??;
-        let textures =
-            held.textures.iter().zip(plan.textures()).map(|(texture, plan)| (plan.table, view(texture, plan)));
-        Ok(Self { parameters, sampler: held.sampler, textures: textures.collect(), columns: held.columns })
+        match Self::carry_out(device, queue, reader, plan).await {
+            // What a lost device says of what it was asked next, or that it says nothing, tells nobody anything.
+            Ok(_) | Err(UploadError::Device { .. }) if is_lost(device).await => Err(UploadError::Lost),
+            result => result,
+        }
+    }
+
+    async fn carry_out(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        reader: &Reader<'_>,
+        plan: &UploadPlan,
+    ) -> Result<Self, UploadError> {
+        let (asset, textures) = checked(device, || Self::create(device, plan)).await?;
+        checked(device, || asset.write(queue, &textures, reader, plan)).await??;
+        Ok(asset)
+    }
+
+    /// All there is to be, nothing of it written.
+    fn create(device: &wgpu::Device, plan: &UploadPlan) -> (Self, Vec<wgpu::Texture>) {
+        let columns = plan.curvature().map_or(&[][..], |curvature| &curvature.columns);
+        let textures: Vec<_> = plan.textures().iter().map(|plan| create_texture(device, plan)).collect();
+        let views = textures.iter().zip(plan.textures()).map(|(texture, plan)| (plan.table, view(texture, plan)));
+        let asset = Self {
+            parameters: create_buffer(
+                device,
+                "barchan parameters",
+                PARAMETER_BYTES as u64,
+                wgpu::BufferUsages::UNIFORM,
+            ),
+            sampler: sampler(device, plan),
+            textures: views.collect(),
+            columns: columns.iter().map(|plan| (plan.column, create_column(device, plan))).collect(),
+        };
+        (asset, textures)
+    }
+
+    /// What is written is handed over table by table, so that the driver's own copies need not wait for the last one.
+    fn write(
+        &self,
+        queue: &wgpu::Queue,
+        textures: &[wgpu::Texture],
+        reader: &Reader<'_>,
+        plan: &UploadPlan,
+    ) -> Result<(), UploadError> {
+        for (texture, plan) in textures.iter().zip(plan.textures()) {
+            let payload = reader.payload(plan.table.kind())?;
+            for copy in &plan.copies {
+                write_texture(queue, texture, copy, copy.of(&payload).ok_or(UploadError::OtherFile)?);
+            }
+            queue.submit([]);
+        }
+        if let Some(curvature) = plan.curvature() {
+            let payload = reader.payload(SectionKind::CURVATURE)?;
+            for ((_, buffer), column) in self.columns.iter().zip(&curvature.columns) {
+                queue.write_buffer(buffer, 0, column.of(&payload).ok_or(UploadError::OtherFile)?);
+            }
+        }
+        queue.write_buffer(&self.parameters, 0, &plan.parameters());
+        queue.submit([]);
+        Ok(())
     }
 
     /// The texture of a table, if it was uploaded.
@@ -63,54 +117,30 @@ impl GpuAsset {
 /// closed before anything is awaited.
 fn checked<T>(device: &wgpu::Device, work: impl FnOnce() -> T) -> impl Future<Output = Result<T, UploadError>> {
     let validation = device.push_error_scope(wgpu::ErrorFilter::Validation);
-    let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
     let internal = device.push_error_scope(wgpu::ErrorFilter::Internal);
+    let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
     let done = work();
-    let (internal, memory, validation) = (internal.pop(), memory.pop(), validation.pop());
+    let (memory, internal, validation) = (memory.pop(), internal.pop(), validation.pop());
     async move {
-        match [memory.await, validation.await, internal.await].into_iter().flatten().next() {
+        // Without memory the rest follows.
+        if memory.await.is_some() {
+            return Err(UploadError::OutOfMemory);
+        }
+        match validation.await.or(internal.await) {
             Some(error) => Err(UploadError::Device { reason: error.to_string() }),
             None => Ok(done),
         }
     }
 }
 
-/// What has been created, and not written yet.
-struct Held {
-    sampler: wgpu::Sampler,
-    /// As in the plan.
-    textures: Vec<wgpu::Texture>,
-    columns: Vec<(CurvatureColumn, wgpu::Buffer)>,
-}
-
-impl Held {
-    fn create(device: &wgpu::Device, plan: &UploadPlan) -> Self {
-        let columns = plan.curvature().map_or(&[][..], |curvature| &curvature.columns);
-        Self {
-            sampler: sampler(device, plan),
-            textures: plan.textures().iter().map(|plan| create_texture(device, plan)).collect(),
-            columns: columns.iter().map(|plan| (plan.column, create_column(device, plan))).collect(),
-        }
-    }
-
-    /// What is written is handed over table by table, so that the driver's own copies need not wait for the last one.
-    fn write(&self, queue: &wgpu::Queue, reader: &Reader<'_>, plan: &UploadPlan) -> Result<(), UploadError> {
-        for (texture, plan) in self.textures.iter().zip(plan.textures()) {
-            let payload = reader.payload(plan.table.kind())?;
-            for copy in &plan.copies {
-                write_texture(queue, texture, copy, copy.of(&payload).ok_or(UploadError::OtherFile)?);
-            }
-            queue.submit([]);
-        }
-        if let Some(curvature) = plan.curvature() {
-            let payload = reader.payload(SectionKind::CURVATURE)?;
-            for ((_, buffer), column) in self.columns.iter().zip(&curvature.columns) {
-                queue.write_buffer(buffer, 0, column.of(&payload).ok_or(UploadError::OtherFile)?);
-            }
-            queue.submit([]);
-        }
-        Ok(())
-    }
+/// A lost device reports nothing to error scopes, and its callback is the game's; but it cannot map what it creates.
+async fn is_lost(device: &wgpu::Device) -> bool {
+    let mapped = checked(device, || {
+        let (usage, mapped_at_creation) = (wgpu::BufferUsages::COPY_SRC, true);
+        let buffer = device.create_buffer(&wgpu::BufferDescriptor { label: None, size: 4, usage, mapped_at_creation });
+        buffer.slice(..).get_mapped_range().is_ok()
+    });
+    mapped.await != Ok(true)
 }
 
 fn create_texture(device: &wgpu::Device, plan: &TexturePlan) -> wgpu::Texture {
@@ -127,12 +157,12 @@ fn create_texture(device: &wgpu::Device, plan: &TexturePlan) -> wgpu::Texture {
 }
 
 fn create_column(device: &wgpu::Device, plan: &ColumnPlan) -> wgpu::Buffer {
-    device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some(plan.column.name()),
-        size: plan.bytes,
-        usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
+    create_buffer(device, plan.column.name(), plan.bytes, wgpu::BufferUsages::VERTEX)
+}
+
+fn create_buffer(device: &wgpu::Device, label: &str, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+    let usage = usage | wgpu::BufferUsages::COPY_DST;
+    device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
 }
 
 fn write_texture(queue: &wgpu::Queue, texture: &wgpu::Texture, copy: &TextureCopy, bytes: &[u8]) {
@@ -146,18 +176,6 @@ fn write_texture(queue: &wgpu::Queue, texture: &wgpu::Texture, copy: &TextureCop
     let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row, rows_per_image };
     let extent = wgpu::Extent3d { width: copy.extent.0, height: copy.extent.1, depth_or_array_layers: copy.layers };
     queue.write_texture(to, bytes, layout, extent);
-}
-
-fn parameters(device: &wgpu::Device, plan: &UploadPlan) -> Result<wgpu::Buffer, UploadError> {
-    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("barchan parameters"),
-        size: PARAMETER_BYTES as u64,
-        usage: wgpu::BufferUsages::UNIFORM,
-        mapped_at_creation: true,
-    });
-    buffer.slice(..).get_mapped_range_mut().map_err(|_| UploadError::lost())?.copy_from_slice(&plan.parameters());
-    buffer.unmap();
-    Ok(buffer)
 }
 
 fn view(texture: &wgpu::Texture, plan: &TexturePlan) -> wgpu::TextureView {
