@@ -139,16 +139,28 @@ fn sines_and_cosines_are_within_2_ulp_of_1_beyond_a_whole_turn() {
 #[test]
 fn the_ends_of_ranges_are_what_they_must_be() {
     let half_turn = std::f32::consts::PI;
-    let asked = [[1.0, 0.0], [-1.0, 0.0], [0.0, 0.0], [-0.0, 0.0], [1.5, 0.0], [0.0, -1.0], [0.0, 1.0], [0.0, f32::MIN_POSITIVE]];
+    let asked = [
+        [1.0, 0.0],
+        [-1.0, 0.0],
+        [0.0, 0.0],
+        [-0.0, 0.0],
+        [1.5, 0.0],
+        [0.0, -1.0],
+        [0.0, 1.0],
+        [0.0, f32::MIN_POSITIVE],
+    ];
     let found = answers(&asked);
-    assert_eq!(found.iter().map(|five| five[0]).take(5).collect::<Vec<_>>(), [
-        half_turn / 2.0,
-        -half_turn / 2.0,
-        0.0,
-        0.0,
-        // A filtered sine may be a little more than 1.
-        half_turn / 2.0,
-    ]);
+    assert_eq!(
+        found.iter().map(|five| five[0]).take(5).collect::<Vec<_>>(),
+        [
+            half_turn / 2.0,
+            -half_turn / 2.0,
+            0.0,
+            0.0,
+            // A filtered sine may be a little more than 1.
+            half_turn / 2.0,
+        ]
+    );
     let azimuths: Vec<_> = found.iter().map(|five| five[2]).collect();
     assert_eq!(azimuths[..4], [0.0, half_turn, 0.0, 0.0]);
     assert_eq!(azimuths[5..7], [-half_turn / 2.0, half_turn / 2.0]);

@@ -28,12 +28,14 @@ const ARROWS: [(&str, &[&str]); 12] = [
 ];
 
 /// Documents whose relative links must lead somewhere.
-const DOCUMENTS: [&str; 15] = [
+const DOCUMENTS: [&str; 17] = [
     "README.md",
     "MEASUREMENTS.md",
     "ARCHITECTURE.md",
     "CONTRIBUTING.md",
     "CHANGELOG.md",
+    "crates/wgpu/README.md",
+    "crates/wgpu/shaders/README.md",
     "formats/barchan-v1.md",
     "formats/cone-v1.md",
     "formats/curvature-v1.md",

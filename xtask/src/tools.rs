@@ -63,8 +63,7 @@ fn has_vulkan() -> bool {
 /// Says exactly what to install, rather than fail in the middle.
 pub(crate) fn check() -> Result<()> {
     let missing = tools().into_iter().filter(|tool| !tool.is_there);
-    let lines: Vec<_> =
-        missing.map(|tool| format!("{}, {}: {}", tool.name, tool.purpose, tool.command())).collect();
+    let lines: Vec<_> = missing.map(|tool| format!("{}, {}: {}", tool.name, tool.purpose, tool.command())).collect();
     if !lines.is_empty() {
         bail!("install what is missing, on Debian with `cargo xtask setup`, then try again:\n  {}", lines.join("\n  "));
     }

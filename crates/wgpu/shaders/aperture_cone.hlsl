@@ -47,6 +47,10 @@ SamplerState barchan_sampler : register(s1);
 Texture2D<float4> barchan_aperture_cone_texels : register(t9);
 cbuffer barchan_probe : register(b14) { BarchanProbe barchan_probe; }
 
+struct FragmentInput_barchan_probe_aperture {
+    float4 position_2 : SV_Position;
+};
+
 float barchan_arcsine(float sine)
 {
     float size = min(abs(sine), 1.0);
@@ -54,7 +58,7 @@ float barchan_arcsine(float sine)
     float square = (is_steep ? (0.5 * (1.0 - size)) : (size * size));
     float root = (is_steep ? sqrt(square) : size);
     float series = (((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root);
-    float angle_1 = (is_steep ? (1.5707963 - (2.0 * series)) : series);
+    float angle_1 = (is_steep ? (1.5707964 - (2.0 * series)) : series);
     return ((sine < 0.0) ? -(angle_1) : angle_1);
 }
 
@@ -235,14 +239,30 @@ float4 barchan_aperture_cone_at(float2 place_3, int layer_2)
     return _e18;
 }
 
-float2 barchan_probe_place(float4 position)
+float4 barchan_aperture_cone(float2 place_4)
+{
+    const float4 _e2 = barchan_aperture_cone_at(place_4, int(0));
+    float size_3 = length(_e2.xyz);
+    float3 axis = ((size_3 > 1e-6) ? (_e2.xyz / (max(size_3, 1e-20)).xxx) : float3(0.0, 0.0, 1.0));
+    return float4(axis, _e2.w);
+}
+
+float2 barchan_probe_place(float4 position_1)
 {
     float2 _e3 = barchan_probe.place;
     float2 _e8 = barchan_probe.step_;
-    return (_e3 + (floor(position.xy) * _e8));
+    return (_e3 + (floor(position_1.xy) * _e8));
 }
 
 float4 barchan_probe_vertex(uint index : SV_VertexID) : SV_Position
 {
     return float4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+}
+
+float4 barchan_probe_aperture(FragmentInput_barchan_probe_aperture fragmentinput_barchan_probe_aperture) : SV_Target0
+{
+    float4 position = fragmentinput_barchan_probe_aperture.position_2;
+    const float2 _e1 = barchan_probe_place(position);
+    const float4 _e2 = barchan_aperture_cone(_e1);
+    return _e2;
 }

@@ -57,7 +57,7 @@ float barchan_arcsine(
     float square = is_steep ? (0.5 * (1.0 - size)) : (size * size);
     float root = is_steep ? metal::sqrt(square) : size;
     float series = ((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root;
-    float angle_1 = is_steep ? (1.5707963 - (2.0 * series)) : series;
+    float angle_1 = is_steep ? (1.5707964 - (2.0 * series)) : series;
     return (sine < 0.0) ? -(angle_1) : angle_1;
 }
 
@@ -281,13 +281,25 @@ metal::float4 barchan_aperture_cone_at(
     return _e18;
 }
 
+metal::float4 barchan_aperture_cone(
+    metal::float2 place_4,
+    constant BarchanTables& barchan_tables,
+    metal::sampler barchan_sampler,
+    metal::texture2d<float, metal::access::sample> barchan_aperture_cone_texels
+) {
+    metal::float4 _e2 = barchan_aperture_cone_at(place_4, 0, barchan_tables, barchan_sampler, barchan_aperture_cone_texels);
+    float size_3 = metal::length(_e2.xyz);
+    metal::float3 axis = (size_3 > 0.000001) ? (_e2.xyz / metal::float3(metal::max(size_3, 0.00000000000000000001))) : metal::float3(0.0, 0.0, 1.0);
+    return metal::float4(axis, _e2.w);
+}
+
 metal::float2 barchan_probe_place(
-    metal::float4 position,
+    metal::float4 position_1,
     constant BarchanProbe& barchan_probe
 ) {
     metal::float2 _e3 = barchan_probe.place;
     metal::float2 _e8 = barchan_probe.step;
-    return _e3 + (metal::floor(position.xy) * _e8);
+    return _e3 + (metal::floor(position_1.xy) * _e8);
 }
 
 struct barchan_probe_vertexInput {
@@ -299,4 +311,22 @@ vertex barchan_probe_vertexOutput barchan_probe_vertex(
   uint index [[vertex_id]]
 ) {
     return barchan_probe_vertexOutput { metal::float4((static_cast<float>(index & 1u) * 4.0) - 1.0, (static_cast<float>(index >> 1u) * 4.0) - 1.0, 0.0, 1.0) };
+}
+
+
+struct barchan_probe_apertureInput {
+};
+struct barchan_probe_apertureOutput {
+    metal::float4 member_1 [[color(0)]];
+};
+fragment barchan_probe_apertureOutput barchan_probe_aperture(
+  metal::float4 position [[position]]
+, constant BarchanTables& barchan_tables [[buffer(0)]]
+, metal::sampler barchan_sampler [[sampler(1)]]
+, metal::texture2d<float, metal::access::sample> barchan_aperture_cone_texels [[texture(9)]]
+, constant BarchanProbe& barchan_probe [[buffer(14)]]
+) {
+    metal::float2 _e1 = barchan_probe_place(position, barchan_probe);
+    metal::float4 _e2 = barchan_aperture_cone(_e1, barchan_tables, barchan_sampler, barchan_aperture_cone_texels);
+    return barchan_probe_apertureOutput { _e2 };
 }

@@ -11,7 +11,7 @@ fn barchan_arcsine(sine: f32) -> f32 {
     let root = select(size, sqrt(square), is_steep);
     let series = ((((4.2163199048e-2 * square + 2.4181311049e-2) * square + 4.5470025998e-2) * square
         + 7.4953002686e-2) * square + 1.6666752422e-1) * square * root + root;
-    let angle = select(series, 1.5707962513 - 2.0 * series, is_steep);
+    let angle = select(series, 1.5707963268 - 2.0 * series, is_steep);
     return select(angle, -angle, sine < 0.0);
 }
 
@@ -182,6 +182,16 @@ fn barchan_aperture_cone_at(place: vec2<f32>, layer: i32) -> vec4<f32> {
     return barchan_transferred_4(BARCHAN_APERTURE_CONE, barchan_scaled_4(BARCHAN_APERTURE_CONE, stored));
 }
 
+// The cone that stands for the visible sky: Christopher Oat, Pedro V. Sander, Ambient aperture lighting, 2007.
+
+// The unit axis of the cone in the frame (u, v up the picture, height), and the cosine of its half-angle: 0 is a hemisphere, 1 no sky.
+fn barchan_aperture_cone(place: vec2<f32>) -> vec4<f32> {
+    let stored = barchan_aperture_cone_at(place, 0);
+    let size = length(stored.xyz);
+    // Opposite axes leave nothing half-way between them.
+    let axis = select(vec3<f32>(0.0, 0.0, 1.0), stored.xyz / max(size, 1e-20), size > 1e-6);
+    return vec4<f32>(axis, stored.w);
+}
 
 // Probes draw the numbers of a technique: one place a pixel, for tests, benches and first light.
 
@@ -218,4 +228,10 @@ fn barchan_probe_vertex(@builtin(vertex_index) index: u32) -> @builtin(position)
 
 fn barchan_probe_place(position: vec4<f32>) -> vec2<f32> {
     return barchan_probe.place + floor(position.xy) * barchan_probe.step;
+}
+
+// The cone of the visible sky: axis, and cosine of the half-angle.
+@fragment
+fn barchan_probe_aperture(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    return barchan_aperture_cone(barchan_probe_place(position));
 }

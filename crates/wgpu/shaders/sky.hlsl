@@ -47,6 +47,10 @@ SamplerState barchan_sampler : register(s1);
 Texture2D<float4> barchan_sky_visibility_texels : register(t7);
 cbuffer barchan_probe : register(b14) { BarchanProbe barchan_probe; }
 
+struct FragmentInput_barchan_probe_sky {
+    float4 position_2 : SV_Position;
+};
+
 float barchan_arcsine(float sine)
 {
     float size = min(abs(sine), 1.0);
@@ -54,7 +58,7 @@ float barchan_arcsine(float sine)
     float square = (is_steep ? (0.5 * (1.0 - size)) : (size * size));
     float root = (is_steep ? sqrt(square) : size);
     float series = (((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root);
-    float angle_1 = (is_steep ? (1.5707963 - (2.0 * series)) : series);
+    float angle_1 = (is_steep ? (1.5707964 - (2.0 * series)) : series);
     return ((sine < 0.0) ? -(angle_1) : angle_1);
 }
 
@@ -235,14 +239,41 @@ float barchan_sky_visibility_at(float2 place_3, int layer_2)
     return _e18;
 }
 
-float2 barchan_probe_place(float4 position)
+float barchan_sky_brightness(float2 place_4)
+{
+    return 1.0;
+}
+
+float barchan_sky_visibility(float2 place_5)
+{
+    const float _e2 = barchan_sky_visibility_at(place_5, int(0));
+    return _e2;
+}
+
+float barchan_sky_irradiance(float2 place_6)
+{
+    const float _e1 = barchan_sky_visibility(place_6);
+    const float _e2 = barchan_sky_brightness(place_6);
+    return (_e1 * _e2);
+}
+
+float2 barchan_probe_place(float4 position_1)
 {
     float2 _e3 = barchan_probe.place;
     float2 _e8 = barchan_probe.step_;
-    return (_e3 + (floor(position.xy) * _e8));
+    return (_e3 + (floor(position_1.xy) * _e8));
 }
 
 float4 barchan_probe_vertex(uint index : SV_VertexID) : SV_Position
 {
     return float4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+}
+
+float4 barchan_probe_sky(FragmentInput_barchan_probe_sky fragmentinput_barchan_probe_sky) : SV_Target0
+{
+    float4 position = fragmentinput_barchan_probe_sky.position_2;
+    const float2 _e1 = barchan_probe_place(position);
+    const float _e2 = barchan_sky_visibility(_e1);
+    const float _e3 = barchan_sky_irradiance(_e1);
+    return float4(_e2, _e3, 0.0, 0.0);
 }

@@ -57,7 +57,7 @@ float barchan_arcsine(
     float square = is_steep ? (0.5 * (1.0 - size)) : (size * size);
     float root = is_steep ? metal::sqrt(square) : size;
     float series = ((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root;
-    float angle_1 = is_steep ? (1.5707963 - (2.0 * series)) : series;
+    float angle_1 = is_steep ? (1.5707964 - (2.0 * series)) : series;
     return (sine < 0.0) ? -(angle_1) : angle_1;
 }
 
@@ -281,13 +281,40 @@ float barchan_sky_visibility_at(
     return _e18;
 }
 
+float barchan_sky_brightness(
+    metal::float2 place_4
+) {
+    return 1.0;
+}
+
+float barchan_sky_visibility(
+    metal::float2 place_5,
+    constant BarchanTables& barchan_tables,
+    metal::sampler barchan_sampler,
+    metal::texture2d<float, metal::access::sample> barchan_sky_visibility_texels
+) {
+    float _e2 = barchan_sky_visibility_at(place_5, 0, barchan_tables, barchan_sampler, barchan_sky_visibility_texels);
+    return _e2;
+}
+
+float barchan_sky_irradiance(
+    metal::float2 place_6,
+    constant BarchanTables& barchan_tables,
+    metal::sampler barchan_sampler,
+    metal::texture2d<float, metal::access::sample> barchan_sky_visibility_texels
+) {
+    float _e1 = barchan_sky_visibility(place_6, barchan_tables, barchan_sampler, barchan_sky_visibility_texels);
+    float _e2 = barchan_sky_brightness(place_6);
+    return _e1 * _e2;
+}
+
 metal::float2 barchan_probe_place(
-    metal::float4 position,
+    metal::float4 position_1,
     constant BarchanProbe& barchan_probe
 ) {
     metal::float2 _e3 = barchan_probe.place;
     metal::float2 _e8 = barchan_probe.step;
-    return _e3 + (metal::floor(position.xy) * _e8);
+    return _e3 + (metal::floor(position_1.xy) * _e8);
 }
 
 struct barchan_probe_vertexInput {
@@ -299,4 +326,23 @@ vertex barchan_probe_vertexOutput barchan_probe_vertex(
   uint index [[vertex_id]]
 ) {
     return barchan_probe_vertexOutput { metal::float4((static_cast<float>(index & 1u) * 4.0) - 1.0, (static_cast<float>(index >> 1u) * 4.0) - 1.0, 0.0, 1.0) };
+}
+
+
+struct barchan_probe_skyInput {
+};
+struct barchan_probe_skyOutput {
+    metal::float4 member_1 [[color(0)]];
+};
+fragment barchan_probe_skyOutput barchan_probe_sky(
+  metal::float4 position [[position]]
+, constant BarchanTables& barchan_tables [[buffer(0)]]
+, metal::sampler barchan_sampler [[sampler(1)]]
+, metal::texture2d<float, metal::access::sample> barchan_sky_visibility_texels [[texture(7)]]
+, constant BarchanProbe& barchan_probe [[buffer(14)]]
+) {
+    metal::float2 _e1 = barchan_probe_place(position, barchan_probe);
+    float _e2 = barchan_sky_visibility(_e1, barchan_tables, barchan_sampler, barchan_sky_visibility_texels);
+    float _e3 = barchan_sky_irradiance(_e1, barchan_tables, barchan_sampler, barchan_sky_visibility_texels);
+    return barchan_probe_skyOutput { metal::float4(_e2, _e3, 0.0, 0.0) };
 }

@@ -11,7 +11,7 @@ fn barchan_arcsine(sine: f32) -> f32 {
     let root = select(size, sqrt(square), is_steep);
     let series = ((((4.2163199048e-2 * square + 2.4181311049e-2) * square + 4.5470025998e-2) * square
         + 7.4953002686e-2) * square + 1.6666752422e-1) * square * root + root;
-    let angle = select(series, 1.5707962513 - 2.0 * series, is_steep);
+    let angle = select(series, 1.5707963268 - 2.0 * series, is_steep);
     return select(angle, -angle, sine < 0.0);
 }
 
@@ -182,6 +182,28 @@ fn barchan_sky_visibility_at(place: vec2<f32>, layer: i32) -> f32 {
     return barchan_transferred(BARCHAN_SKY_VISIBILITY, barchan_scaled(BARCHAN_SKY_VISIBILITY, stored));
 }
 
+// A sky that is evenly bright: where no mean direction of what is seen of it is known.
+
+// How bright the visible sky is: as bright as the zenith.
+fn barchan_sky_brightness(place: vec2<f32>) -> f32 {
+    return 1.0;
+}
+
+// The light of an overcast sky on a place that sees a part of it.
+//
+// Such a sky is three times as bright at the zenith as at the horizon: L(θ) = L₀ (1 + 2 sin θ) / 3 at the elevation θ, Parry Moon,
+// Domina Spencer, Illumination from a nonuniform sky, 1942. Its irradiance is π times the visible share of the sky times its mean
+// brightness there, which is taken in the mean direction of the visible sky.
+
+// The visible share of the sky, weighted by the cosine to the surface normal: 0 to 1.
+fn barchan_sky_visibility(place: vec2<f32>) -> f32 {
+    return barchan_sky_visibility_at(place, 0);
+}
+
+// The irradiance over that of a level place in the open under a sky as bright as the zenith: 0 to 1.
+fn barchan_sky_irradiance(place: vec2<f32>) -> f32 {
+    return barchan_sky_visibility(place) * barchan_sky_brightness(place);
+}
 
 // Probes draw the numbers of a technique: one place a pixel, for tests, benches and first light.
 
@@ -218,4 +240,11 @@ fn barchan_probe_vertex(@builtin(vertex_index) index: u32) -> @builtin(position)
 
 fn barchan_probe_place(position: vec4<f32>) -> vec2<f32> {
     return barchan_probe.place + floor(position.xy) * barchan_probe.step;
+}
+
+// The visible share of an even sky, and the irradiance.
+@fragment
+fn barchan_probe_sky(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    let place = barchan_probe_place(position);
+    return vec4<f32>(barchan_sky_visibility(place), barchan_sky_irradiance(place), 0.0, 0.0);
 }

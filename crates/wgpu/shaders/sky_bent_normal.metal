@@ -58,7 +58,7 @@ float barchan_arcsine(
     float square = is_steep ? (0.5 * (1.0 - size)) : (size * size);
     float root = is_steep ? metal::sqrt(square) : size;
     float series = ((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root;
-    float angle_1 = is_steep ? (1.5707963 - (2.0 * series)) : series;
+    float angle_1 = is_steep ? (1.5707964 - (2.0 * series)) : series;
     return (sine < 0.0) ? -(angle_1) : angle_1;
 }
 
@@ -321,13 +321,55 @@ metal::float2 barchan_bent_normal_at(
     return _e18;
 }
 
+metal::float3 barchan_sky_bent_normal(
+    metal::float2 place_7,
+    constant BarchanTables& barchan_tables,
+    metal::sampler barchan_sampler,
+    metal::texture2d<float, metal::access::sample> barchan_bent_normal_texels
+) {
+    metal::float2 _e2 = barchan_bent_normal_at(place_7, 0, barchan_tables, barchan_sampler, barchan_bent_normal_texels);
+    return metal::float3(_e2, metal::sqrt(metal::max(1.0 - metal::dot(_e2, _e2), 0.0)));
+}
+
+float barchan_sky_brightness(
+    metal::float2 place_8,
+    constant BarchanTables& barchan_tables,
+    metal::sampler barchan_sampler,
+    metal::texture2d<float, metal::access::sample> barchan_bent_normal_texels
+) {
+    metal::float3 _e1 = barchan_sky_bent_normal(place_8, barchan_tables, barchan_sampler, barchan_bent_normal_texels);
+    return (1.0 + (2.0 * _e1.z)) / 3.0;
+}
+
+float barchan_sky_visibility(
+    metal::float2 place_9,
+    constant BarchanTables& barchan_tables,
+    metal::sampler barchan_sampler,
+    metal::texture2d<float, metal::access::sample> barchan_sky_visibility_texels
+) {
+    float _e2 = barchan_sky_visibility_at(place_9, 0, barchan_tables, barchan_sampler, barchan_sky_visibility_texels);
+    return _e2;
+}
+
+float barchan_sky_irradiance(
+    metal::float2 place_10,
+    constant BarchanTables& barchan_tables,
+    metal::sampler barchan_sampler,
+    metal::texture2d<float, metal::access::sample> barchan_sky_visibility_texels,
+    metal::texture2d<float, metal::access::sample> barchan_bent_normal_texels
+) {
+    float _e1 = barchan_sky_visibility(place_10, barchan_tables, barchan_sampler, barchan_sky_visibility_texels);
+    float _e2 = barchan_sky_brightness(place_10, barchan_tables, barchan_sampler, barchan_bent_normal_texels);
+    return _e1 * _e2;
+}
+
 metal::float2 barchan_probe_place(
-    metal::float4 position,
+    metal::float4 position_1,
     constant BarchanProbe& barchan_probe
 ) {
     metal::float2 _e3 = barchan_probe.place;
     metal::float2 _e8 = barchan_probe.step;
-    return _e3 + (metal::floor(position.xy) * _e8);
+    return _e3 + (metal::floor(position_1.xy) * _e8);
 }
 
 struct barchan_probe_vertexInput {
@@ -339,4 +381,25 @@ vertex barchan_probe_vertexOutput barchan_probe_vertex(
   uint index [[vertex_id]]
 ) {
     return barchan_probe_vertexOutput { metal::float4((static_cast<float>(index & 1u) * 4.0) - 1.0, (static_cast<float>(index >> 1u) * 4.0) - 1.0, 0.0, 1.0) };
+}
+
+
+struct barchan_probe_skyInput {
+};
+struct barchan_probe_skyOutput {
+    metal::float4 member_1 [[color(0)]];
+};
+fragment barchan_probe_skyOutput barchan_probe_sky(
+  metal::float4 position [[position]]
+, constant BarchanTables& barchan_tables [[buffer(0)]]
+, metal::sampler barchan_sampler [[sampler(1)]]
+, metal::texture2d<float, metal::access::sample> barchan_sky_visibility_texels [[texture(7)]]
+, metal::texture2d<float, metal::access::sample> barchan_bent_normal_texels [[texture(8)]]
+, constant BarchanProbe& barchan_probe [[buffer(14)]]
+) {
+    metal::float2 _e1 = barchan_probe_place(position, barchan_probe);
+    float _e2 = barchan_sky_visibility(_e1, barchan_tables, barchan_sampler, barchan_sky_visibility_texels);
+    float _e3 = barchan_sky_irradiance(_e1, barchan_tables, barchan_sampler, barchan_sky_visibility_texels, barchan_bent_normal_texels);
+    metal::float3 _e4 = barchan_sky_bent_normal(_e1, barchan_tables, barchan_sampler, barchan_bent_normal_texels);
+    return barchan_probe_skyOutput { metal::float4(_e2, _e3, _e4.xy) };
 }

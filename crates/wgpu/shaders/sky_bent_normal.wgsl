@@ -11,7 +11,7 @@ fn barchan_arcsine(sine: f32) -> f32 {
     let root = select(size, sqrt(square), is_steep);
     let series = ((((4.2163199048e-2 * square + 2.4181311049e-2) * square + 4.5470025998e-2) * square
         + 7.4953002686e-2) * square + 1.6666752422e-1) * square * root + root;
-    let angle = select(series, 1.5707962513 - 2.0 * series, is_steep);
+    let angle = select(series, 1.5707963268 - 2.0 * series, is_steep);
     return select(angle, -angle, sine < 0.0);
 }
 
@@ -201,6 +201,34 @@ fn barchan_bent_normal_at(place: vec2<f32>, layer: i32) -> vec2<f32> {
     return barchan_transferred_2(BARCHAN_BENT_NORMAL, barchan_scaled_2(BARCHAN_BENT_NORMAL, stored));
 }
 
+// The mean direction of the visible sky: Hayden Landis, Production-ready global illumination, 2002.
+
+// The bent normal, a unit vector in the frame (u, v up the picture, height). Components along u and v are stored.
+fn barchan_sky_bent_normal(place: vec2<f32>) -> vec3<f32> {
+    let level = barchan_bent_normal_at(place, 0);
+    return vec3<f32>(level, sqrt(max(1.0 - dot(level, level), 0.0)));
+}
+
+// How bright an overcast sky is there, over the zenith: a third at the horizon.
+fn barchan_sky_brightness(place: vec2<f32>) -> f32 {
+    return (1.0 + 2.0 * barchan_sky_bent_normal(place).z) / 3.0;
+}
+
+// The light of an overcast sky on a place that sees a part of it.
+//
+// Such a sky is three times as bright at the zenith as at the horizon: L(θ) = L₀ (1 + 2 sin θ) / 3 at the elevation θ, Parry Moon,
+// Domina Spencer, Illumination from a nonuniform sky, 1942. Its irradiance is π times the visible share of the sky times its mean
+// brightness there, which is taken in the mean direction of the visible sky.
+
+// The visible share of the sky, weighted by the cosine to the surface normal: 0 to 1.
+fn barchan_sky_visibility(place: vec2<f32>) -> f32 {
+    return barchan_sky_visibility_at(place, 0);
+}
+
+// The irradiance over that of a level place in the open under a sky as bright as the zenith: 0 to 1.
+fn barchan_sky_irradiance(place: vec2<f32>) -> f32 {
+    return barchan_sky_visibility(place) * barchan_sky_brightness(place);
+}
 
 // Probes draw the numbers of a technique: one place a pixel, for tests, benches and first light.
 
@@ -237,4 +265,11 @@ fn barchan_probe_vertex(@builtin(vertex_index) index: u32) -> @builtin(position)
 
 fn barchan_probe_place(position: vec4<f32>) -> vec2<f32> {
     return barchan_probe.place + floor(position.xy) * barchan_probe.step;
+}
+
+// The visible share of the sky, the irradiance, and the bent normal along u and v.
+@fragment
+fn barchan_probe_sky(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    let place = barchan_probe_place(position);
+    return vec4<f32>(barchan_sky_visibility(place), barchan_sky_irradiance(place), barchan_sky_bent_normal(place).xy);
 }

@@ -48,3 +48,8 @@ pub use shader::{
     Binding, BindingKind, ComposeError, ReliefSearch, SEARCH_BISECTIONS, SEARCH_STEPS, Sampling, Shader, ShaderOptions,
     Technique,
 };
+
+/// What the README says compiles.
+#[cfg(all(doctest, feature = "device"))]
+#[doc = include_str!("../README.md")]
+struct Readme;

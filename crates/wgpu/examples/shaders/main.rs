@@ -1,11 +1,13 @@
 //! The published shaders, and the shader of an asset.
 //!
 //! ```text
-//! cargo run -p barchan-wgpu --example shaders -- of FILE.barchan     what an asset's tables allow: techniques, bindings, functions
+//! cargo run -p barchan-wgpu --example shaders -- of FILE.barchan     what its tables allow: techniques, functions, bindings
 //! cargo run -p barchan-wgpu --example shaders -- wgsl FILE.barchan   the WGSL of all that
 //! cargo run -p barchan-wgpu --example shaders -- write               the files of crates/wgpu/shaders
 //! cargo run -p barchan-wgpu --example shaders -- check               fails if these are not what the source gives
 //! ```
+//!
+//! Names of techniques behind a file, such as `"curved shadow" sky`, leave out all others.
 #![allow(clippy::print_stdout, reason = "an example for the terminal")]
 
 #[path = "../../tests/support/every_table.rs"]
@@ -30,19 +32,29 @@ type Outcome<T> = Result<T, Box<dyn Error>>;
 fn main() -> Outcome<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["of", path] => of_file(Path::new(path)).map(|(techniques, shader)| describe(&techniques, &shader)),
-        ["wgsl", path] => of_file(Path::new(path)).map(|(_, shader)| println!("{}", shader.source())),
+        ["of", path, ref names @ ..] => {
+            of_file(Path::new(path), names).map(|(techniques, shader)| describe(&techniques, &shader))
+        }
+        ["wgsl", path, ref names @ ..] => {
+            of_file(Path::new(path), names).map(|(_, shader)| println!("{}", shader.source()))
+        }
         ["write"] => write(&files()?),
         ["check"] => check(&files()?),
         _ => Err("say `of FILE.barchan`, `wgsl FILE.barchan`, `write` or `check`".into()),
     }
 }
 
-/// What the tables of a file allow, and the shader of all of it.
-fn of_file(path: &Path) -> Outcome<(Vec<Technique>, Shader)> {
+/// What the tables of a file allow, or what of that is named, and the shader of it.
+fn of_file(path: &Path, names: &[&str]) -> Outcome<(Vec<Technique>, Shader)> {
     let bytes = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let plan = UploadPlan::new(&Reader::open(&bytes)?, &Selection::everything(), &DeviceLimits::WEBGPU)?;
-    let techniques = Technique::of_plan(&plan);
+    let allowed = Technique::of_plan(&plan);
+    let name_of = |name: &&str| allowed.iter().copied().find(|technique| technique.name() == *name);
+    let unknown = |name: &&str| format!("{} allows no {name:?}", path.display());
+    let techniques = match names {
+        [] => allowed.clone(),
+        names => names.iter().map(|name| name_of(name).ok_or_else(|| unknown(name))).collect::<Result<_, _>>()?,
+    };
     let shader = Shader::compose(&plan, &techniques, &ShaderOptions::default())?;
     Ok((techniques, shader))
 }
@@ -111,7 +123,10 @@ fn check(files: &BTreeMap<String, Vec<u8>>) -> Outcome<()> {
         return Ok(());
     }
     let (count, first) = (wrong.len(), &wrong[0]);
-    Err(format!("crates/wgpu/shaders is not what the source gives ({count} files, {first} first); run `cargo xtask shaders`").into())
+    Err(format!(
+        "crates/wgpu/shaders is not what the source gives ({count} files, {first} first); run `cargo xtask shaders`"
+    )
+    .into())
 }
 
 /// Names of the files that are there.

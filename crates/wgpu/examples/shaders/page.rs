@@ -112,8 +112,7 @@ fn between<'a>(text: &'a str, start: &str, end: &str) -> &'a str {
 
 /// Where each number stands in the uniform buffers.
 fn uniform_tables(page: &mut String, shaders: &[Published]) {
-    let tables: Vec<_> =
-        Semantic::ALL.iter().map(|table| format!("{} {}", table.number() - 1, name(*table))).collect();
+    let tables: Vec<_> = Semantic::ALL.iter().map(|table| format!("{} {}", table.number() - 1, name(*table))).collect();
     line!(
         page,
         "\n## Uniform buffers\n\n`UploadPlan::parameters` gives the bytes of the first: {} entries of {TABLE_BYTES} bytes, {PARAMETER_BYTES} in all, \

@@ -79,14 +79,8 @@ impl Technique {
     /// Heights alone would allow relief too; it is among them only if a table was loaded that helps to find it.
     #[must_use]
     pub fn of_plan(plan: &UploadPlan) -> Vec<Self> {
-        let mut techniques = vec![
-            Self::Surface,
-            Self::HorizonShadow,
-            Self::CurvedShadow,
-            Self::Penumbra,
-            Self::Sky,
-            Self::ApertureCone,
-        ];
+        let mut techniques =
+            vec![Self::Surface, Self::HorizonShadow, Self::CurvedShadow, Self::Penumbra, Self::Sky, Self::ApertureCone];
         if plan.textures().iter().any(|texture| texture.table.is_relief_search()) {
             techniques.extend([Self::Relief(ReliefSearch::best_of(plan)), Self::ReliefShadow]);
         }

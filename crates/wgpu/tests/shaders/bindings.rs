@@ -35,7 +35,10 @@ fn a_flat_scene_compiles_no_curvature_and_binds_no_distances() {
     let module = module(shader.source());
     for (_, function) in module.functions.iter() {
         let name = function.name.as_deref().unwrap_or_default();
-        assert!(!["curv", "distance", "tangent_light", "relief", "penumbra"].iter().any(|word| name.contains(word)), "{name}");
+        assert!(
+            !["curv", "distance", "tangent_light", "relief", "penumbra"].iter().any(|word| name.contains(word)),
+            "{name}"
+        );
     }
 }
 
@@ -70,7 +73,8 @@ fn the_list_is_what_the_module_binds() {
     for search in SEARCHES {
         for sampling in [Sampling::Filtered, Sampling::Loaded] {
             let techniques = [&PLAIN[..], &[Technique::Relief(search)]].concat();
-            let shader = Shader::compose(&plan, &techniques, &ShaderOptions { group: 2, sampling, probes: true }).unwrap();
+            let shader =
+                Shader::compose(&plan, &techniques, &ShaderOptions { group: 2, sampling, probes: true }).unwrap();
             let module = module(shader.source());
             let mut found: Vec<_> = module.global_variables.iter().filter_map(|(_, global)| global.binding).collect();
             found.sort_by_key(|binding| binding.binding);
@@ -95,8 +99,7 @@ fn textures_are_listed_in_the_shape_the_plan_gives_them() {
             _ => None,
         })
         .collect();
-    let expected =
-        [(Semantic::Height, Shape::D2, false), (Semantic::HorizonElevation, Shape::D2Array, false)];
+    let expected = [(Semantic::Height, Shape::D2, false), (Semantic::HorizonElevation, Shape::D2Array, false)];
     assert_eq!(shapes, expected);
 }
 

@@ -8,7 +8,9 @@ mod functions;
 mod validity;
 
 use barchan_asset::{Encoding, Semantic};
-use barchan_wgpu::{DeviceLimits, Reader, ReliefSearch, Sampling, Selection, Shader, ShaderOptions, Technique, UploadPlan};
+use barchan_wgpu::{
+    DeviceLimits, Reader, ReliefSearch, Sampling, Selection, Shader, ShaderOptions, Technique, UploadPlan,
+};
 
 /// Every search, with numbers where it has any.
 const SEARCHES: [ReliefSearch; 5] = [
@@ -46,8 +48,10 @@ fn composed(plan: &UploadPlan, techniques: &[Technique], sampling: Sampling) -> 
 
 /// The module, parsed and checked; a fault is shown in the source.
 fn module(source: &str) -> naga::Module {
-    let module = naga::front::wgsl::parse_str(source).unwrap_or_else(|error| panic!("{}", error.emit_to_string(source)));
-    let mut validator = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
+    let module =
+        naga::front::wgsl::parse_str(source).unwrap_or_else(|error| panic!("{}", error.emit_to_string(source)));
+    let mut validator =
+        naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
     validator.validate(&module).unwrap_or_else(|error| panic!("{}", error.emit_to_string(source)));
     module
 }

@@ -89,7 +89,8 @@ fn every_global_name_has_the_prefix() {
     let plan = plan(&Semantic::ALL);
     for search in SEARCHES {
         let techniques = [&PLAIN[..], &[Technique::Relief(search), Technique::ReliefShadow]].concat();
-        let shader = Shader::compose(&plan, &techniques, &ShaderOptions { probes: true, ..Default::default() }).unwrap();
+        let shader =
+            Shader::compose(&plan, &techniques, &ShaderOptions { probes: true, ..Default::default() }).unwrap();
         for name in names(&module(shader.source())) {
             let has_prefix = ["barchan_", "Barchan", "BARCHAN_"].iter().any(|prefix| name.starts_with(prefix));
             assert!(has_prefix, "{name}, in {}", Technique::Relief(search).name());
@@ -112,7 +113,8 @@ fn the_uniform_blocks_are_as_long_as_the_buffers_that_are_bound() {
     let options = ShaderOptions { probes: true, ..Default::default() };
     let module = module(Shader::compose(&plan, &Technique::of_plan(&plan), &options).unwrap().source());
     let bytes = |name| {
-        let (_, global) = module.global_variables.iter().find(|(_, global)| global.name.as_deref() == Some(name)).unwrap();
+        let (_, global) =
+            module.global_variables.iter().find(|(_, global)| global.name.as_deref() == Some(name)).unwrap();
         module.types[global.ty].inner.size(module.to_ctx()) as usize
     };
     assert_eq!(bytes("barchan_tables"), barchan_wgpu::PARAMETER_BYTES);

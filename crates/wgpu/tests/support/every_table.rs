@@ -24,7 +24,8 @@ pub(crate) fn every_table(tables: &[Semantic], encoding: Encoding) -> Result<Vec
 
 fn facts(table: Semantic) -> TableFacts {
     let (length_unit, wrap) = (LengthUnit::Metre, Wrap::Repeat);
-    let grid = TableGrid { width: 4, height: 4, spacing_u: 1.0, spacing_v: 1.0, length_unit, wrap_u: wrap, wrap_v: wrap };
+    let grid =
+        TableGrid { width: 4, height: 4, spacing_u: 1.0, spacing_v: 1.0, length_unit, wrap_u: wrap, wrap_v: wrap };
     let (azimuths, radius) = (Azimuths::full_circle(4), 8.0);
     let sweep = CurvatureSweep { candidates: 2, curvature_min: -0.1, curvature_max: 0.1 };
     let relief = ReliefRange { top: 1.0, thickness: 1.0 };
