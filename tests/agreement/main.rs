@@ -6,4 +6,5 @@
 
 mod compare;
 mod functions;
+mod penumbra;
 mod support;
