@@ -6,6 +6,7 @@
 
 mod band;
 mod compare;
+mod curved;
 mod functions;
 mod horizon;
 mod penumbra;
