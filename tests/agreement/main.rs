@@ -11,3 +11,4 @@ mod functions;
 mod horizon;
 mod penumbra;
 mod support;
+mod relief;
