@@ -10,5 +10,5 @@ mod curved;
 mod functions;
 mod horizon;
 mod penumbra;
-mod support;
 mod relief;
+mod support;

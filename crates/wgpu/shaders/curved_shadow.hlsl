@@ -84,7 +84,6 @@ static const float BARCHAN_NO_HORIZON = -3.4e38;
 static const float BARCHAN_CLOSED = 3.4e38;
 
 cbuffer barchan_tables : register(b0) { BarchanTable barchan_tables[12]; }
-SamplerState barchan_sampler : register(s1);
 Texture2D<float4> barchan_height_texels : register(t2);
 Texture2DArray<float4> barchan_horizon_texels : register(t3);
 Texture2DArray<float4> barchan_distance_texels : register(t4);
@@ -271,67 +270,34 @@ float barchan_height_texel(int2 place_2, int layer_1)
     return _e4;
 }
 
-float barchan_height_at(float2 place_3, int layer_2)
+float barchan_horizon_before_transfer(int2 place_3, int layer_2)
 {
-    float2 _e8 = barchan_tables[0].extent;
-    float2 uv = ((place_3 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_height_texels.SampleLevel(barchan_sampler, uv, 0.0);
-    float stored_5 = _e13.x;
-    const float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_5);
-    const float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17);
-    return _e18;
-}
-
-float barchan_horizon_before_transfer(int2 place_4, int layer_3)
-{
-    const int2 _e4 = barchan_inside(BARCHAN_HORIZON, place_4, int(0));
-    float4 _e8 = barchan_horizon_texels.Load(int4(_e4, layer_3, int(0)));
+    const int2 _e4 = barchan_inside(BARCHAN_HORIZON, place_3, int(0));
+    float4 _e8 = barchan_horizon_texels.Load(int4(_e4, layer_2, int(0)));
     const float _e10 = barchan_scaled(BARCHAN_HORIZON, _e8.x);
     return _e10;
 }
 
-float barchan_horizon_texel(int2 place_5, int layer_4)
+float barchan_horizon_texel(int2 place_4, int layer_3)
 {
-    const float _e3 = barchan_horizon_before_transfer(place_5, layer_4);
+    const float _e3 = barchan_horizon_before_transfer(place_4, layer_3);
     const float _e4 = barchan_transferred(BARCHAN_HORIZON, _e3);
     return _e4;
 }
 
-float barchan_horizon_at(float2 place_6, int layer_5)
+float barchan_distance_before_transfer(int2 place_5, int layer_4)
 {
-    float2 _e8 = barchan_tables[1].extent;
-    float2 uv_1 = ((place_6 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_horizon_texels.SampleLevel(barchan_sampler, float3(uv_1, layer_5), 0.0);
-    float stored_6 = _e13.x;
-    const float _e17 = barchan_scaled(BARCHAN_HORIZON, stored_6);
-    const float _e18 = barchan_transferred(BARCHAN_HORIZON, _e17);
-    return _e18;
-}
-
-float barchan_distance_before_transfer(int2 place_7, int layer_6)
-{
-    const int2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_7, int(0));
-    float4 _e8 = barchan_distance_texels.Load(int4(_e4, layer_6, int(0)));
+    const int2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_5, int(0));
+    float4 _e8 = barchan_distance_texels.Load(int4(_e4, layer_4, int(0)));
     const float _e10 = barchan_scaled(BARCHAN_DISTANCE, _e8.x);
     return _e10;
 }
 
-float barchan_distance_texel(int2 place_8, int layer_7)
+float barchan_distance_texel(int2 place_6, int layer_5)
 {
-    const float _e3 = barchan_distance_before_transfer(place_8, layer_7);
+    const float _e3 = barchan_distance_before_transfer(place_6, layer_5);
     const float _e4 = barchan_transferred(BARCHAN_DISTANCE, _e3);
     return _e4;
-}
-
-float barchan_distance_at(float2 place_9, int layer_8)
-{
-    float2 _e8 = barchan_tables[2].extent;
-    float2 uv_2 = ((place_9 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_distance_texels.SampleLevel(barchan_sampler, float3(uv_2, layer_8), 0.0);
-    float stored_7 = _e13.x;
-    const float _e17 = barchan_scaled(BARCHAN_DISTANCE, stored_7);
-    const float _e18 = barchan_transferred(BARCHAN_DISTANCE, _e17);
-    return _e18;
 }
 
 int naga_mod(int lhs, int rhs) {
@@ -629,14 +595,14 @@ float barchan_curved_texel(BarchanGround ground_3, int2 texel_2, BarchanNeighbou
     return lerp(_e6, _e11, beside.weight);
 }
 
-float barchan_curved_elevation(float2 place_10, BarchanTangentLight light, float curvature_1)
+float barchan_curved_elevation(float2 place_7, BarchanTangentLight light, float curvature_1)
 {
     float _e7 = barchan_tables[0].least;
     const BarchanGround _e8 = barchan_ground(curvature_1, light.stretch, _e7);
     const BarchanNeighbours _e11 = barchan_neighbours(BARCHAN_HORIZON, light.azimuth);
-    float2 corner = floor(place_10);
+    float2 corner = floor(place_7);
     int2 texel_3 = naga_f2i32(corner);
-    float2 part_1 = (place_10 - corner);
+    float2 part_1 = (place_7 - corner);
     const float _e15 = barchan_curved_texel(_e8, texel_3, _e11);
     const float _e20 = barchan_curved_texel(_e8, asint(asuint(texel_3) + asuint(int2(int(1), int(0)))), _e11);
     const float _e25 = barchan_curved_texel(_e8, asint(asuint(texel_3) + asuint(int2(int(0), int(1)))), _e11);
@@ -646,9 +612,9 @@ float barchan_curved_elevation(float2 place_10, BarchanTangentLight light, float
     return clamp(lerp(upper, lower, part_1.y), -1.5707963, BARCHAN_GREATEST_ELEVATION);
 }
 
-bool barchan_curved_in_shadow(float2 place_11, BarchanTangentLight light_1, float curvature_2)
+bool barchan_curved_in_shadow(float2 place_8, BarchanTangentLight light_1, float curvature_2)
 {
-    const float _e3 = barchan_curved_elevation(place_11, light_1, curvature_2);
+    const float _e3 = barchan_curved_elevation(place_8, light_1, curvature_2);
     const float2 _e4 = barchan_sine_cosine(_e3);
     return ((light_1.height * _e4.y) < (light_1.level * _e4.x));
 }

@@ -299,98 +299,50 @@ float barchan_height_texel(
     return _e4;
 }
 
-float barchan_height_at(
-    metal::float2 place_3,
-    int layer_2,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d<float, metal::access::sample> barchan_height_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[0].extent;
-    metal::float2 uv = (place_3 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_height_texels.sample(barchan_sampler, uv, metal::level(0.0));
-    float stored_5 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_5, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17, barchan_tables);
-    return _e18;
-}
-
 float barchan_horizon_before_transfer(
-    metal::int2 place_4,
-    int layer_3,
+    metal::int2 place_3,
+    int layer_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels
 ) {
-    metal::int2 _e4 = barchan_inside(BARCHAN_HORIZON, place_4, 0, barchan_tables);
-    metal::float4 _e8 = barchan_horizon_texels.read(metal::uint2(_e4), layer_3, 0);
+    metal::int2 _e4 = barchan_inside(BARCHAN_HORIZON, place_3, 0, barchan_tables);
+    metal::float4 _e8 = barchan_horizon_texels.read(metal::uint2(_e4), layer_2, 0);
     float _e10 = barchan_scaled(BARCHAN_HORIZON, _e8.x, barchan_tables);
     return _e10;
 }
 
 float barchan_horizon_texel(
-    metal::int2 place_5,
-    int layer_4,
+    metal::int2 place_4,
+    int layer_3,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels
 ) {
-    float _e3 = barchan_horizon_before_transfer(place_5, layer_4, barchan_tables, barchan_horizon_texels);
+    float _e3 = barchan_horizon_before_transfer(place_4, layer_3, barchan_tables, barchan_horizon_texels);
     float _e4 = barchan_transferred(BARCHAN_HORIZON, _e3, barchan_tables);
     return _e4;
 }
 
-float barchan_horizon_at(
-    metal::float2 place_6,
-    int layer_5,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[1].extent;
-    metal::float2 uv_1 = (place_6 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_horizon_texels.sample(barchan_sampler, uv_1, layer_5, metal::level(0.0));
-    float stored_6 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HORIZON, stored_6, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_HORIZON, _e17, barchan_tables);
-    return _e18;
-}
-
 float barchan_distance_before_transfer(
-    metal::int2 place_7,
-    int layer_6,
+    metal::int2 place_5,
+    int layer_4,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
-    metal::int2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_7, 0, barchan_tables);
-    metal::float4 _e8 = barchan_distance_texels.read(metal::uint2(_e4), layer_6, 0);
+    metal::int2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_5, 0, barchan_tables);
+    metal::float4 _e8 = barchan_distance_texels.read(metal::uint2(_e4), layer_4, 0);
     float _e10 = barchan_scaled(BARCHAN_DISTANCE, _e8.x, barchan_tables);
     return _e10;
 }
 
 float barchan_distance_texel(
-    metal::int2 place_8,
-    int layer_7,
+    metal::int2 place_6,
+    int layer_5,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
-    float _e3 = barchan_distance_before_transfer(place_8, layer_7, barchan_tables, barchan_distance_texels);
+    float _e3 = barchan_distance_before_transfer(place_6, layer_5, barchan_tables, barchan_distance_texels);
     float _e4 = barchan_transferred(BARCHAN_DISTANCE, _e3, barchan_tables);
     return _e4;
-}
-
-float barchan_distance_at(
-    metal::float2 place_9,
-    int layer_8,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[2].extent;
-    metal::float2 uv_2 = (place_9 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_distance_texels.sample(barchan_sampler, uv_2, layer_8, metal::level(0.0));
-    float stored_7 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_DISTANCE, stored_7, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_DISTANCE, _e17, barchan_tables);
-    return _e18;
 }
 
 int naga_mod(int lhs, int rhs) {
@@ -686,7 +638,7 @@ float barchan_curved_texel(
 }
 
 float barchan_curved_elevation(
-    metal::float2 place_10,
+    metal::float2 place_7,
     BarchanTangentLight light,
     float curvature_1,
     constant BarchanTables& barchan_tables,
@@ -697,9 +649,9 @@ float barchan_curved_elevation(
     float _e7 = barchan_tables.inner[0].least;
     BarchanGround _e8 = barchan_ground(curvature_1, light.stretch, _e7);
     BarchanNeighbours _e11 = barchan_neighbours(BARCHAN_HORIZON, light.azimuth, barchan_tables);
-    metal::float2 corner = metal::floor(place_10);
+    metal::float2 corner = metal::floor(place_7);
     metal::int2 texel_3 = naga_f2i32(corner);
-    metal::float2 part_1 = place_10 - corner;
+    metal::float2 part_1 = place_7 - corner;
     float _e15 = barchan_curved_texel(_e8, texel_3, _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
     float _e20 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(texel_3) + as_type<metal::uint2>(metal::int2(1, 0))), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
     float _e25 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(texel_3) + as_type<metal::uint2>(metal::int2(0, 1))), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
@@ -710,7 +662,7 @@ float barchan_curved_elevation(
 }
 
 bool barchan_curved_in_shadow(
-    metal::float2 place_11,
+    metal::float2 place_8,
     BarchanTangentLight light_1,
     float curvature_2,
     constant BarchanTables& barchan_tables,
@@ -718,7 +670,7 @@ bool barchan_curved_in_shadow(
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
-    float _e3 = barchan_curved_elevation(place_11, light_1, curvature_2, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
+    float _e3 = barchan_curved_elevation(place_8, light_1, curvature_2, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
     metal::float2 _e4 = barchan_sine_cosine(_e3);
     return (light_1.height * _e4.y) < (light_1.level * _e4.x);
 }

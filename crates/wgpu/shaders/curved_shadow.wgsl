@@ -160,9 +160,6 @@ fn barchan_transferred_cone(table: u32, number: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(number.x, barchan_transferred(table, number.y));
 }
 
-// Linear, with the edges of the tables as address modes.
-@group(0) @binding(1) var barchan_sampler: sampler;
-
 @group(0) @binding(2) var barchan_height_texels: texture_2d<f32>;
 
 const BARCHAN_HEIGHT: u32 = 0u;
@@ -174,12 +171,6 @@ fn barchan_height_before_transfer(place: vec2<i32>, layer: i32) -> f32 {
 
 fn barchan_height_texel(place: vec2<i32>, layer: i32) -> f32 {
     return barchan_transferred(BARCHAN_HEIGHT, barchan_height_before_transfer(place, layer));
-}
-
-fn barchan_height_at(place: vec2<f32>, layer: i32) -> f32 {
-    let uv = (place + 0.5) / barchan_tables[BARCHAN_HEIGHT].extent;
-    let stored = textureSampleLevel(barchan_height_texels, barchan_sampler, uv, 0.0).x;
-    return barchan_transferred(BARCHAN_HEIGHT, barchan_scaled(BARCHAN_HEIGHT, stored));
 }
 
 @group(0) @binding(3) var barchan_horizon_texels: texture_2d_array<f32>;
@@ -195,12 +186,6 @@ fn barchan_horizon_texel(place: vec2<i32>, layer: i32) -> f32 {
     return barchan_transferred(BARCHAN_HORIZON, barchan_horizon_before_transfer(place, layer));
 }
 
-fn barchan_horizon_at(place: vec2<f32>, layer: i32) -> f32 {
-    let uv = (place + 0.5) / barchan_tables[BARCHAN_HORIZON].extent;
-    let stored = textureSampleLevel(barchan_horizon_texels, barchan_sampler, uv, layer, 0.0).x;
-    return barchan_transferred(BARCHAN_HORIZON, barchan_scaled(BARCHAN_HORIZON, stored));
-}
-
 @group(0) @binding(4) var barchan_distance_texels: texture_2d_array<f32>;
 
 const BARCHAN_DISTANCE: u32 = 2u;
@@ -212,12 +197,6 @@ fn barchan_distance_before_transfer(place: vec2<i32>, layer: i32) -> f32 {
 
 fn barchan_distance_texel(place: vec2<i32>, layer: i32) -> f32 {
     return barchan_transferred(BARCHAN_DISTANCE, barchan_distance_before_transfer(place, layer));
-}
-
-fn barchan_distance_at(place: vec2<f32>, layer: i32) -> f32 {
-    let uv = (place + 0.5) / barchan_tables[BARCHAN_DISTANCE].extent;
-    let stored = textureSampleLevel(barchan_distance_texels, barchan_sampler, uv, layer, 0.0).x;
-    return barchan_transferred(BARCHAN_DISTANCE, barchan_scaled(BARCHAN_DISTANCE, stored));
 }
 
 // The two azimuths of a table beside an azimuth, and how far the second one counts.

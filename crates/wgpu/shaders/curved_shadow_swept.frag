@@ -243,54 +243,54 @@ float barchan_height_texel(ivec2 place_2, int layer_1) {
     return _e4;
 }
 
-float barchan_horizon_before_transfer(ivec2 place_4, int layer_3) {
-    ivec2 _e4 = barchan_inside(BARCHAN_HORIZON, place_4, 0);
-    vec4 _e8 = texelFetch(_group_0_binding_3_fs, ivec3(_e4, layer_3), 0);
+float barchan_horizon_before_transfer(ivec2 place_3, int layer_2) {
+    ivec2 _e4 = barchan_inside(BARCHAN_HORIZON, place_3, 0);
+    vec4 _e8 = texelFetch(_group_0_binding_3_fs, ivec3(_e4, layer_2), 0);
     float _e10 = barchan_scaled(BARCHAN_HORIZON, _e8.x);
     return _e10;
 }
 
-float barchan_horizon_texel(ivec2 place_5, int layer_4) {
-    float _e3 = barchan_horizon_before_transfer(place_5, layer_4);
+float barchan_horizon_texel(ivec2 place_4, int layer_3) {
+    float _e3 = barchan_horizon_before_transfer(place_4, layer_3);
     float _e4 = barchan_transferred(BARCHAN_HORIZON, _e3);
     return _e4;
 }
 
-float barchan_distance_before_transfer(ivec2 place_7, int layer_6) {
-    ivec2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_7, 0);
-    vec4 _e8 = texelFetch(_group_0_binding_4_fs, ivec3(_e4, layer_6), 0);
+float barchan_distance_before_transfer(ivec2 place_5, int layer_4) {
+    ivec2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_5, 0);
+    vec4 _e8 = texelFetch(_group_0_binding_4_fs, ivec3(_e4, layer_4), 0);
     float _e10 = barchan_scaled(BARCHAN_DISTANCE, _e8.x);
     return _e10;
 }
 
-float barchan_distance_texel(ivec2 place_8, int layer_7) {
-    float _e3 = barchan_distance_before_transfer(place_8, layer_7);
+float barchan_distance_texel(ivec2 place_6, int layer_5) {
+    float _e3 = barchan_distance_before_transfer(place_6, layer_5);
     float _e4 = barchan_transferred(BARCHAN_DISTANCE, _e3);
     return _e4;
 }
 
-float barchan_swept_horizon_before_transfer(ivec2 place_10, int layer_9) {
-    ivec2 _e4 = barchan_inside(BARCHAN_SWEPT_HORIZON, place_10, 0);
-    vec4 _e8 = texelFetch(_group_0_binding_5_fs, ivec3(_e4, layer_9), 0);
+float barchan_swept_horizon_before_transfer(ivec2 place_7, int layer_6) {
+    ivec2 _e4 = barchan_inside(BARCHAN_SWEPT_HORIZON, place_7, 0);
+    vec4 _e8 = texelFetch(_group_0_binding_5_fs, ivec3(_e4, layer_6), 0);
     float _e10 = barchan_scaled(BARCHAN_SWEPT_HORIZON, _e8.x);
     return _e10;
 }
 
-float barchan_swept_horizon_texel(ivec2 place_11, int layer_10) {
-    float _e3 = barchan_swept_horizon_before_transfer(place_11, layer_10);
+float barchan_swept_horizon_texel(ivec2 place_8, int layer_7) {
+    float _e3 = barchan_swept_horizon_before_transfer(place_8, layer_7);
     float _e4 = barchan_transferred(BARCHAN_SWEPT_HORIZON, _e3);
     return _e4;
 }
 
-float barchan_swept_distance_before_transfer(ivec2 place_13, int layer_12) {
-    ivec2 _e4 = barchan_inside(BARCHAN_SWEPT_DISTANCE, place_13, 0);
-    vec4 _e8 = texelFetch(_group_0_binding_6_fs, ivec3(_e4, layer_12), 0);
+float barchan_swept_distance_before_transfer(ivec2 place_9, int layer_8) {
+    ivec2 _e4 = barchan_inside(BARCHAN_SWEPT_DISTANCE, place_9, 0);
+    vec4 _e8 = texelFetch(_group_0_binding_6_fs, ivec3(_e4, layer_8), 0);
     float _e10 = barchan_scaled(BARCHAN_SWEPT_DISTANCE, _e8.x);
     return _e10;
 }
 
-float barchan_swept_distance_texel(ivec2 place_14, int layer_13) {
-    float _e3 = barchan_swept_distance_before_transfer(place_14, layer_13);
+float barchan_swept_distance_texel(ivec2 place_10, int layer_9) {
+    float _e3 = barchan_swept_distance_before_transfer(place_10, layer_9);
     float _e4 = barchan_transferred(BARCHAN_SWEPT_DISTANCE, _e3);
     return _e4;
 }
@@ -417,9 +417,9 @@ BarchanPoint barchan_point(int point, ivec2 texel, int azimuth_1) {
         return _e8;
     }
     uint _e14 = _group_0_binding_0_fs[3].azimuths;
-    int layer_15 = (((point - 1) * int(_e14)) + azimuth_1);
-    float _e18 = barchan_swept_horizon_before_transfer(texel, layer_15);
-    float _e20 = barchan_swept_distance_texel(texel, layer_15);
+    int layer_10 = (((point - 1) * int(_e14)) + azimuth_1);
+    float _e18 = barchan_swept_horizon_before_transfer(texel, layer_10);
+    float _e20 = barchan_swept_distance_texel(texel, layer_10);
     BarchanPoint _e21 = barchan_point_of(BARCHAN_SWEPT_HORIZON, _e18, _e20);
     return _e21;
 }
@@ -519,13 +519,13 @@ float barchan_curved_texel(BarchanGround ground_3, ivec2 texel_2, BarchanNeighbo
     return mix(_e6, _e11, beside.weight);
 }
 
-float barchan_curved_elevation(vec2 place_16, BarchanTangentLight light, float curvature_1) {
+float barchan_curved_elevation(vec2 place_11, BarchanTangentLight light, float curvature_1) {
     float _e7 = _group_0_binding_0_fs[0].least;
     BarchanGround _e8 = barchan_ground(curvature_1, light.stretch, _e7);
     BarchanNeighbours _e11 = barchan_neighbours(BARCHAN_HORIZON, light.azimuth);
-    vec2 corner = floor(place_16);
+    vec2 corner = floor(place_11);
     ivec2 texel_3 = ivec2(corner);
-    vec2 part_1 = (place_16 - corner);
+    vec2 part_1 = (place_11 - corner);
     float _e15 = barchan_curved_texel(_e8, texel_3, _e11);
     float _e20 = barchan_curved_texel(_e8, (texel_3 + ivec2(1, 0)), _e11);
     float _e25 = barchan_curved_texel(_e8, (texel_3 + ivec2(0, 1)), _e11);
@@ -535,8 +535,8 @@ float barchan_curved_elevation(vec2 place_16, BarchanTangentLight light, float c
     return clamp(mix(upper, lower, part_1.y), -1.5707963, BARCHAN_GREATEST_ELEVATION);
 }
 
-bool barchan_curved_in_shadow(vec2 place_17, BarchanTangentLight light_1, float curvature_2) {
-    float _e3 = barchan_curved_elevation(place_17, light_1, curvature_2);
+bool barchan_curved_in_shadow(vec2 place_12, BarchanTangentLight light_1, float curvature_2) {
+    float _e3 = barchan_curved_elevation(place_12, light_1, curvature_2);
     vec2 _e4 = barchan_sine_cosine(_e3);
     return ((light_1.height * _e4.y) < (light_1.level * _e4.x));
 }

@@ -301,176 +301,96 @@ float barchan_height_texel(
     return _e4;
 }
 
-float barchan_height_at(
-    metal::float2 place_3,
-    int layer_2,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d<float, metal::access::sample> barchan_height_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[0].extent;
-    metal::float2 uv = (place_3 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_height_texels.sample(barchan_sampler, uv, metal::level(0.0));
-    float stored_5 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_5, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17, barchan_tables);
-    return _e18;
-}
-
 float barchan_horizon_before_transfer(
-    metal::int2 place_4,
-    int layer_3,
+    metal::int2 place_3,
+    int layer_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels
 ) {
-    metal::int2 _e4 = barchan_inside(BARCHAN_HORIZON, place_4, 0, barchan_tables);
-    metal::float4 _e8 = barchan_horizon_texels.read(metal::uint2(_e4), layer_3, 0);
+    metal::int2 _e4 = barchan_inside(BARCHAN_HORIZON, place_3, 0, barchan_tables);
+    metal::float4 _e8 = barchan_horizon_texels.read(metal::uint2(_e4), layer_2, 0);
     float _e10 = barchan_scaled(BARCHAN_HORIZON, _e8.x, barchan_tables);
     return _e10;
 }
 
 float barchan_horizon_texel(
-    metal::int2 place_5,
-    int layer_4,
+    metal::int2 place_4,
+    int layer_3,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels
 ) {
-    float _e3 = barchan_horizon_before_transfer(place_5, layer_4, barchan_tables, barchan_horizon_texels);
+    float _e3 = barchan_horizon_before_transfer(place_4, layer_3, barchan_tables, barchan_horizon_texels);
     float _e4 = barchan_transferred(BARCHAN_HORIZON, _e3, barchan_tables);
     return _e4;
 }
 
-float barchan_horizon_at(
-    metal::float2 place_6,
-    int layer_5,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[1].extent;
-    metal::float2 uv_1 = (place_6 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_horizon_texels.sample(barchan_sampler, uv_1, layer_5, metal::level(0.0));
-    float stored_6 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HORIZON, stored_6, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_HORIZON, _e17, barchan_tables);
-    return _e18;
-}
-
 float barchan_distance_before_transfer(
-    metal::int2 place_7,
-    int layer_6,
+    metal::int2 place_5,
+    int layer_4,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
-    metal::int2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_7, 0, barchan_tables);
-    metal::float4 _e8 = barchan_distance_texels.read(metal::uint2(_e4), layer_6, 0);
+    metal::int2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_5, 0, barchan_tables);
+    metal::float4 _e8 = barchan_distance_texels.read(metal::uint2(_e4), layer_4, 0);
     float _e10 = barchan_scaled(BARCHAN_DISTANCE, _e8.x, barchan_tables);
     return _e10;
 }
 
 float barchan_distance_texel(
-    metal::int2 place_8,
-    int layer_7,
+    metal::int2 place_6,
+    int layer_5,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
-    float _e3 = barchan_distance_before_transfer(place_8, layer_7, barchan_tables, barchan_distance_texels);
+    float _e3 = barchan_distance_before_transfer(place_6, layer_5, barchan_tables, barchan_distance_texels);
     float _e4 = barchan_transferred(BARCHAN_DISTANCE, _e3, barchan_tables);
     return _e4;
 }
 
-float barchan_distance_at(
-    metal::float2 place_9,
-    int layer_8,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[2].extent;
-    metal::float2 uv_2 = (place_9 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_distance_texels.sample(barchan_sampler, uv_2, layer_8, metal::level(0.0));
-    float stored_7 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_DISTANCE, stored_7, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_DISTANCE, _e17, barchan_tables);
-    return _e18;
-}
-
 float barchan_swept_horizon_before_transfer(
-    metal::int2 place_10,
-    int layer_9,
+    metal::int2 place_7,
+    int layer_6,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_swept_horizon_texels
 ) {
-    metal::int2 _e4 = barchan_inside(BARCHAN_SWEPT_HORIZON, place_10, 0, barchan_tables);
-    metal::float4 _e8 = barchan_swept_horizon_texels.read(metal::uint2(_e4), layer_9, 0);
+    metal::int2 _e4 = barchan_inside(BARCHAN_SWEPT_HORIZON, place_7, 0, barchan_tables);
+    metal::float4 _e8 = barchan_swept_horizon_texels.read(metal::uint2(_e4), layer_6, 0);
     float _e10 = barchan_scaled(BARCHAN_SWEPT_HORIZON, _e8.x, barchan_tables);
     return _e10;
 }
 
 float barchan_swept_horizon_texel(
-    metal::int2 place_11,
-    int layer_10,
+    metal::int2 place_8,
+    int layer_7,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_swept_horizon_texels
 ) {
-    float _e3 = barchan_swept_horizon_before_transfer(place_11, layer_10, barchan_tables, barchan_swept_horizon_texels);
+    float _e3 = barchan_swept_horizon_before_transfer(place_8, layer_7, barchan_tables, barchan_swept_horizon_texels);
     float _e4 = barchan_transferred(BARCHAN_SWEPT_HORIZON, _e3, barchan_tables);
     return _e4;
 }
 
-float barchan_swept_horizon_at(
-    metal::float2 place_12,
-    int layer_11,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d_array<float, metal::access::sample> barchan_swept_horizon_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[3].extent;
-    metal::float2 uv_3 = (place_12 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_swept_horizon_texels.sample(barchan_sampler, uv_3, layer_11, metal::level(0.0));
-    float stored_8 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_SWEPT_HORIZON, stored_8, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_SWEPT_HORIZON, _e17, barchan_tables);
-    return _e18;
-}
-
 float barchan_swept_distance_before_transfer(
-    metal::int2 place_13,
-    int layer_12,
+    metal::int2 place_9,
+    int layer_8,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_swept_distance_texels
 ) {
-    metal::int2 _e4 = barchan_inside(BARCHAN_SWEPT_DISTANCE, place_13, 0, barchan_tables);
-    metal::float4 _e8 = barchan_swept_distance_texels.read(metal::uint2(_e4), layer_12, 0);
+    metal::int2 _e4 = barchan_inside(BARCHAN_SWEPT_DISTANCE, place_9, 0, barchan_tables);
+    metal::float4 _e8 = barchan_swept_distance_texels.read(metal::uint2(_e4), layer_8, 0);
     float _e10 = barchan_scaled(BARCHAN_SWEPT_DISTANCE, _e8.x, barchan_tables);
     return _e10;
 }
 
 float barchan_swept_distance_texel(
-    metal::int2 place_14,
-    int layer_13,
+    metal::int2 place_10,
+    int layer_9,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_swept_distance_texels
 ) {
-    float _e3 = barchan_swept_distance_before_transfer(place_14, layer_13, barchan_tables, barchan_swept_distance_texels);
+    float _e3 = barchan_swept_distance_before_transfer(place_10, layer_9, barchan_tables, barchan_swept_distance_texels);
     float _e4 = barchan_transferred(BARCHAN_SWEPT_DISTANCE, _e3, barchan_tables);
     return _e4;
-}
-
-float barchan_swept_distance_at(
-    metal::float2 place_15,
-    int layer_14,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d_array<float, metal::access::sample> barchan_swept_distance_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[4].extent;
-    metal::float2 uv_4 = (place_15 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_swept_distance_texels.sample(barchan_sampler, uv_4, layer_14, metal::level(0.0));
-    float stored_9 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_SWEPT_DISTANCE, stored_9, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_SWEPT_DISTANCE, _e17, barchan_tables);
-    return _e18;
 }
 
 int naga_mod(int lhs, int rhs) {
@@ -645,9 +565,9 @@ BarchanPoint barchan_point(
         return _e8;
     }
     uint _e14 = barchan_tables.inner[3].azimuths;
-    int layer_15 = as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(point) - as_type<uint>(1))) * as_type<uint>(static_cast<int>(_e14)))) + as_type<uint>(azimuth_1));
-    float _e18 = barchan_swept_horizon_before_transfer(texel, layer_15, barchan_tables, barchan_swept_horizon_texels);
-    float _e20 = barchan_swept_distance_texel(texel, layer_15, barchan_tables, barchan_swept_distance_texels);
+    int layer_10 = as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(point) - as_type<uint>(1))) * as_type<uint>(static_cast<int>(_e14)))) + as_type<uint>(azimuth_1));
+    float _e18 = barchan_swept_horizon_before_transfer(texel, layer_10, barchan_tables, barchan_swept_horizon_texels);
+    float _e20 = barchan_swept_distance_texel(texel, layer_10, barchan_tables, barchan_swept_distance_texels);
     BarchanPoint _e21 = barchan_point_of(BARCHAN_SWEPT_HORIZON, _e18, _e20, barchan_tables);
     return _e21;
 }
@@ -782,7 +702,7 @@ float barchan_curved_texel(
 }
 
 float barchan_curved_elevation(
-    metal::float2 place_16,
+    metal::float2 place_11,
     BarchanTangentLight light,
     float curvature_1,
     constant BarchanTables& barchan_tables,
@@ -795,9 +715,9 @@ float barchan_curved_elevation(
     float _e7 = barchan_tables.inner[0].least;
     BarchanGround _e8 = barchan_ground(curvature_1, light.stretch, _e7);
     BarchanNeighbours _e11 = barchan_neighbours(BARCHAN_HORIZON, light.azimuth, barchan_tables);
-    metal::float2 corner = metal::floor(place_16);
+    metal::float2 corner = metal::floor(place_11);
     metal::int2 texel_3 = naga_f2i32(corner);
-    metal::float2 part_1 = place_16 - corner;
+    metal::float2 part_1 = place_11 - corner;
     float _e15 = barchan_curved_texel(_e8, texel_3, _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels, barchan_swept_horizon_texels, barchan_swept_distance_texels);
     float _e20 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(texel_3) + as_type<metal::uint2>(metal::int2(1, 0))), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels, barchan_swept_horizon_texels, barchan_swept_distance_texels);
     float _e25 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(texel_3) + as_type<metal::uint2>(metal::int2(0, 1))), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels, barchan_swept_horizon_texels, barchan_swept_distance_texels);
@@ -808,7 +728,7 @@ float barchan_curved_elevation(
 }
 
 bool barchan_curved_in_shadow(
-    metal::float2 place_17,
+    metal::float2 place_12,
     BarchanTangentLight light_1,
     float curvature_2,
     constant BarchanTables& barchan_tables,
@@ -818,7 +738,7 @@ bool barchan_curved_in_shadow(
     metal::texture2d_array<float, metal::access::sample> barchan_swept_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_swept_distance_texels
 ) {
-    float _e3 = barchan_curved_elevation(place_17, light_1, curvature_2, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels, barchan_swept_horizon_texels, barchan_swept_distance_texels);
+    float _e3 = barchan_curved_elevation(place_12, light_1, curvature_2, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels, barchan_swept_horizon_texels, barchan_swept_distance_texels);
     metal::float2 _e4 = barchan_sine_cosine(_e3);
     return (light_1.height * _e4.y) < (light_1.level * _e4.x);
 }

@@ -234,35 +234,25 @@ float barchan_height_texel(ivec2 place_2, int layer_1) {
     return _e4;
 }
 
-float barchan_height_at(vec2 place_3, int layer_2) {
-    vec2 _e8 = _group_0_binding_0_fs[0].extent;
-    vec2 uv = ((place_3 + vec2(0.5)) / _e8);
-    vec4 _e13 = textureLod(_group_0_binding_2_fs, vec2(uv), 0.0);
-    float stored_4 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_4);
-    float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17);
-    return _e18;
-}
-
-vec2 barchan_cone_map_before_transfer(ivec2 place_4, int layer_3) {
-    ivec2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_4, 0);
-    vec4 _e7 = texelFetch(_group_0_binding_11_fs, _e4, layer_3);
+vec2 barchan_cone_map_before_transfer(ivec2 place_3, int layer_2) {
+    ivec2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_3, 0);
+    vec4 _e7 = texelFetch(_group_0_binding_11_fs, _e4, layer_2);
     vec2 _e9 = barchan_scaled_cone(BARCHAN_CONE_MAP, _e7.xy);
     return _e9;
 }
 
-vec2 barchan_cone_map_texel(ivec2 place_5, int layer_4) {
-    vec2 _e3 = barchan_cone_map_before_transfer(place_5, layer_4);
+vec2 barchan_cone_map_texel(ivec2 place_4, int layer_3) {
+    vec2 _e3 = barchan_cone_map_before_transfer(place_4, layer_3);
     vec2 _e4 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e3);
     return _e4;
 }
 
-vec2 barchan_cone_map_at(vec2 place_6, int layer_5) {
+vec2 barchan_cone_map_at(vec2 place_5, int layer_4) {
     vec2 _e8 = _group_0_binding_0_fs[9].extent;
-    vec2 uv_1 = ((place_6 + vec2(0.5)) / _e8);
-    vec4 _e13 = textureLod(_group_0_binding_11_fs, vec2(uv_1), 0.0);
-    vec2 stored_5 = _e13.xy;
-    vec2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_5);
+    vec2 uv = ((place_5 + vec2(0.5)) / _e8);
+    vec4 _e13 = textureLod(_group_0_binding_11_fs, vec2(uv), 0.0);
+    vec2 stored_4 = _e13.xy;
+    vec2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_4);
     vec2 _e18 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e17);
     return _e18;
 }
@@ -287,15 +277,15 @@ float barchan_relief_depth(float height) {
     return _e2.x;
 }
 
-vec2 barchan_relief_in_tile(vec2 place_7) {
+vec2 barchan_relief_in_tile(vec2 place_6) {
     vec2 extent_1 = _group_0_binding_0_fs[0].extent;
     uint edges_1 = _group_0_binding_0_fs[0].edges;
     bvec2 repeats = bvec2(((edges_1 & 1u) != 0u), ((edges_1 & 2u) != 0u));
-    vec2 rest_1 = (place_7 - (floor((place_7 / extent_1)) * extent_1));
-    return mix(place_7, mix(rest_1, (rest_1 + extent_1), lessThan(rest_1, vec2(0.0))), repeats);
+    vec2 rest_1 = (place_6 - (floor((place_6 / extent_1)) * extent_1));
+    return mix(place_6, mix(rest_1, (rest_1 + extent_1), lessThan(rest_1, vec2(0.0))), repeats);
 }
 
-BarchanReliefRay barchan_relief_ray(vec2 place_8, vec3 towards) {
+BarchanReliefRay barchan_relief_ray(vec2 place_7, vec3 towards) {
     bool local_1 = false;
     bool local_2 = false;
     bool local_3 = false;
@@ -310,7 +300,7 @@ BarchanReliefRay barchan_relief_ray(vec2 place_8, vec3 towards) {
         local_1 = false;
     }
     bool is_short = local_1;
-    bool is_near = all(lessThanEqual(abs(place_8), vec2(16777216.0)));
+    bool is_near = all(lessThanEqual(abs(place_7), vec2(16777216.0)));
     if ((towards.z > 0.0)) {
         local_2 = is_short;
     } else {
@@ -328,12 +318,12 @@ BarchanReliefRay barchan_relief_ray(vec2 place_8, vec3 towards) {
     }
     float run = (thickness / towards.z);
     vec2 step_1 = (vec2((-(run) * towards.x), (run * towards.y)) / spacing);
-    vec2 _e74 = barchan_relief_in_tile(place_8);
+    vec2 _e74 = barchan_relief_in_tile(place_7);
     return BarchanReliefRay(_e74, step_1, towards, (level_1 / towards.z), true);
 }
 
-BarchanReliefRay barchan_relief_ray_through(vec2 place_9, float depth, vec3 towards_1) {
-    BarchanReliefRay _e3 = barchan_relief_ray(place_9, towards_1);
+BarchanReliefRay barchan_relief_ray_through(vec2 place_8, float depth, vec3 towards_1) {
+    BarchanReliefRay _e3 = barchan_relief_ray(place_8, towards_1);
     if (!(_e3.is_valid)) {
         return _e3;
     }
@@ -397,10 +387,10 @@ float barchan_relief_twist(vec4 corners) {
 }
 
 float barchan_relief_cell_gap(BarchanReliefRay ray_6, ivec2 cell_1, vec4 corners_1, float depth_4) {
-    vec2 place_11 = ((ray_6.place - vec2(cell_1)) + (depth_4 * ray_6.step_));
-    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_11.x)) + ((corners_1.z - corners_1.x) * place_11.y));
+    vec2 place_10 = ((ray_6.place - vec2(cell_1)) + (depth_4 * ray_6.step_));
+    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_10.x)) + ((corners_1.z - corners_1.x) * place_10.y));
     float _e23 = barchan_relief_twist(corners_1);
-    return ((plane + ((_e23 * place_11.x) * place_11.y)) - depth_4);
+    return ((plane + ((_e23 * place_10.x) * place_10.y)) - depth_4);
 }
 
 float barchan_relief_gap(BarchanReliefRay ray_7, float depth_5) {
@@ -661,9 +651,9 @@ vec2 barchan_probe_place(vec4 position_2) {
     return (_e3 + (floor(position_2.xy) * _e8));
 }
 
-bool barchan_relief_in_shadow(vec2 place_10, float depth_7, vec3 towards_2, float tolerance) {
+bool barchan_relief_in_shadow(vec2 place_9, float depth_7, vec3 towards_2, float tolerance) {
     bool local_12 = false;
-    BarchanReliefRay _e4 = barchan_relief_ray_through(place_10, depth_7, towards_2);
+    BarchanReliefRay _e4 = barchan_relief_ray_through(place_9, depth_7, towards_2);
     if (!(_e4.is_valid)) {
         return true;
     }

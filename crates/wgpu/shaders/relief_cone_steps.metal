@@ -303,57 +303,41 @@ float barchan_height_texel(
     return _e4;
 }
 
-float barchan_height_at(
-    metal::float2 place_3,
-    int layer_2,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d<float, metal::access::sample> barchan_height_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[0].extent;
-    metal::float2 uv = (place_3 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_height_texels.sample(barchan_sampler, uv, metal::level(0.0));
-    float stored_4 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_4, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17, barchan_tables);
-    return _e18;
-}
-
 metal::float2 barchan_cone_map_before_transfer(
-    metal::int2 place_4,
-    int layer_3,
+    metal::int2 place_3,
+    int layer_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_cone_map_texels
 ) {
-    metal::int2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_4, 0, barchan_tables);
-    metal::float4 _e7 = barchan_cone_map_texels.read(metal::uint2(_e4), layer_3);
+    metal::int2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_3, 0, barchan_tables);
+    metal::float4 _e7 = barchan_cone_map_texels.read(metal::uint2(_e4), layer_2);
     metal::float2 _e9 = barchan_scaled_cone(BARCHAN_CONE_MAP, _e7.xy, barchan_tables);
     return _e9;
 }
 
 metal::float2 barchan_cone_map_texel(
-    metal::int2 place_5,
-    int layer_4,
+    metal::int2 place_4,
+    int layer_3,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_cone_map_texels
 ) {
-    metal::float2 _e3 = barchan_cone_map_before_transfer(place_5, layer_4, barchan_tables, barchan_cone_map_texels);
+    metal::float2 _e3 = barchan_cone_map_before_transfer(place_4, layer_3, barchan_tables, barchan_cone_map_texels);
     metal::float2 _e4 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e3, barchan_tables);
     return _e4;
 }
 
 metal::float2 barchan_cone_map_at(
-    metal::float2 place_6,
-    int layer_5,
+    metal::float2 place_5,
+    int layer_4,
     constant BarchanTables& barchan_tables,
     metal::sampler barchan_sampler,
     metal::texture2d<float, metal::access::sample> barchan_cone_map_texels
 ) {
     metal::float2 _e8 = barchan_tables.inner[9].extent;
-    metal::float2 uv_1 = (place_6 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_cone_map_texels.sample(barchan_sampler, uv_1, metal::level(0.0));
-    metal::float2 stored_5 = _e13.xy;
-    metal::float2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_5, barchan_tables);
+    metal::float2 uv = (place_5 + metal::float2(0.5)) / _e8;
+    metal::float4 _e13 = barchan_cone_map_texels.sample(barchan_sampler, uv, metal::level(0.0));
+    metal::float2 stored_4 = _e13.xy;
+    metal::float2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_4, barchan_tables);
     metal::float2 _e18 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e17, barchan_tables);
     return _e18;
 }
@@ -387,18 +371,18 @@ float barchan_relief_depth(
 }
 
 metal::float2 barchan_relief_in_tile(
-    metal::float2 place_7,
+    metal::float2 place_6,
     constant BarchanTables& barchan_tables
 ) {
     metal::float2 extent_1 = barchan_tables.inner[0].extent;
     uint edges_1 = barchan_tables.inner[0].edges;
     metal::bool2 repeats = metal::bool2((edges_1 & 1u) != 0u, (edges_1 & 2u) != 0u);
-    metal::float2 rest_1 = place_7 - (metal::floor(place_7 / extent_1) * extent_1);
-    return metal::select(place_7, metal::select(rest_1, rest_1 + extent_1, rest_1 < metal::float2(0.0)), repeats);
+    metal::float2 rest_1 = place_6 - (metal::floor(place_6 / extent_1) * extent_1);
+    return metal::select(place_6, metal::select(rest_1, rest_1 + extent_1, rest_1 < metal::float2(0.0)), repeats);
 }
 
 BarchanReliefRay barchan_relief_ray(
-    metal::float2 place_8,
+    metal::float2 place_7,
     metal::float3 towards,
     constant BarchanTables& barchan_tables
 ) {
@@ -416,7 +400,7 @@ BarchanReliefRay barchan_relief_ray(
         local_1 = false;
     }
     bool is_short = local_1;
-    bool is_near = metal::all(metal::abs(place_8) <= metal::float2(16777216.0));
+    bool is_near = metal::all(metal::abs(place_7) <= metal::float2(16777216.0));
     if (towards.z > 0.0) {
         local_2 = is_short;
     } else {
@@ -434,17 +418,17 @@ BarchanReliefRay barchan_relief_ray(
     }
     float run = thickness / towards.z;
     metal::float2 step_1 = metal::float2(-(run) * towards.x, run * towards.y) / spacing;
-    metal::float2 _e74 = barchan_relief_in_tile(place_8, barchan_tables);
+    metal::float2 _e74 = barchan_relief_in_tile(place_7, barchan_tables);
     return BarchanReliefRay {_e74, step_1, towards, level_1 / towards.z, true};
 }
 
 BarchanReliefRay barchan_relief_ray_through(
-    metal::float2 place_9,
+    metal::float2 place_8,
     float depth,
     metal::float3 towards_1,
     constant BarchanTables& barchan_tables
 ) {
-    BarchanReliefRay _e3 = barchan_relief_ray(place_9, towards_1, barchan_tables);
+    BarchanReliefRay _e3 = barchan_relief_ray(place_8, towards_1, barchan_tables);
     if (!(_e3.is_valid)) {
         return _e3;
     }
@@ -540,10 +524,10 @@ float barchan_relief_cell_gap(
     metal::float4 corners_1,
     float depth_4
 ) {
-    metal::float2 place_11 = (ray_6.place - static_cast<metal::float2>(cell_1)) + (depth_4 * ray_6.step);
-    float plane = (corners_1.x + ((corners_1.y - corners_1.x) * place_11.x)) + ((corners_1.z - corners_1.x) * place_11.y);
+    metal::float2 place_10 = (ray_6.place - static_cast<metal::float2>(cell_1)) + (depth_4 * ray_6.step);
+    float plane = (corners_1.x + ((corners_1.y - corners_1.x) * place_10.x)) + ((corners_1.z - corners_1.x) * place_10.y);
     float _e23 = barchan_relief_twist(corners_1);
-    return (plane + ((_e23 * place_11.x) * place_11.y)) - depth_4;
+    return (plane + ((_e23 * place_10.x) * place_10.y)) - depth_4;
 }
 
 float barchan_relief_gap(
@@ -848,7 +832,7 @@ metal::float2 barchan_probe_place(
 }
 
 bool barchan_relief_in_shadow(
-    metal::float2 place_10,
+    metal::float2 place_9,
     float depth_7,
     metal::float3 towards_2,
     float tolerance,
@@ -858,7 +842,7 @@ bool barchan_relief_in_shadow(
     metal::texture2d<float, metal::access::sample> barchan_cone_map_texels
 ) {
     bool local_12 = {};
-    BarchanReliefRay _e4 = barchan_relief_ray_through(place_10, depth_7, towards_2, barchan_tables);
+    BarchanReliefRay _e4 = barchan_relief_ray_through(place_9, depth_7, towards_2, barchan_tables);
     if (!(_e4.is_valid)) {
         return true;
     }

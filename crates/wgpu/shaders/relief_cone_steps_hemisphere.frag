@@ -238,48 +238,38 @@ float barchan_height_texel(ivec2 place_2, int layer_1) {
     return _e4;
 }
 
-float barchan_height_at(vec2 place_3, int layer_2) {
-    vec2 _e8 = _group_0_binding_0_fs[0].extent;
-    vec2 uv = ((place_3 + vec2(0.5)) / _e8);
-    vec4 _e13 = textureLod(_group_0_binding_2_fs, vec2(uv), 0.0);
-    float stored_4 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_4);
-    float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17);
-    return _e18;
-}
-
-float barchan_hemisphere_before_transfer(ivec2 place_4, int layer_3) {
-    ivec2 _e4 = barchan_inside(BARCHAN_HEMISPHERE, place_4, 0);
-    vec4 _e8 = texelFetch(_group_0_binding_10_fs, ivec3(_e4, layer_3), 0);
+float barchan_hemisphere_before_transfer(ivec2 place_3, int layer_2) {
+    ivec2 _e4 = barchan_inside(BARCHAN_HEMISPHERE, place_3, 0);
+    vec4 _e8 = texelFetch(_group_0_binding_10_fs, ivec3(_e4, layer_2), 0);
     float _e10 = barchan_scaled(BARCHAN_HEMISPHERE, _e8.x);
     return _e10;
 }
 
-float barchan_hemisphere_texel(ivec2 place_5, int layer_4) {
-    float _e3 = barchan_hemisphere_before_transfer(place_5, layer_4);
+float barchan_hemisphere_texel(ivec2 place_4, int layer_3) {
+    float _e3 = barchan_hemisphere_before_transfer(place_4, layer_3);
     float _e4 = barchan_transferred(BARCHAN_HEMISPHERE, _e3);
     return _e4;
 }
 
-vec2 barchan_cone_map_before_transfer(ivec2 place_6, int layer_5) {
-    ivec2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_6, 0);
-    vec4 _e7 = texelFetch(_group_0_binding_11_fs, _e4, layer_5);
+vec2 barchan_cone_map_before_transfer(ivec2 place_5, int layer_4) {
+    ivec2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_5, 0);
+    vec4 _e7 = texelFetch(_group_0_binding_11_fs, _e4, layer_4);
     vec2 _e9 = barchan_scaled_cone(BARCHAN_CONE_MAP, _e7.xy);
     return _e9;
 }
 
-vec2 barchan_cone_map_texel(ivec2 place_7, int layer_6) {
-    vec2 _e3 = barchan_cone_map_before_transfer(place_7, layer_6);
+vec2 barchan_cone_map_texel(ivec2 place_6, int layer_5) {
+    vec2 _e3 = barchan_cone_map_before_transfer(place_6, layer_5);
     vec2 _e4 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e3);
     return _e4;
 }
 
-vec2 barchan_cone_map_at(vec2 place_8, int layer_7) {
+vec2 barchan_cone_map_at(vec2 place_7, int layer_6) {
     vec2 _e8 = _group_0_binding_0_fs[9].extent;
-    vec2 uv_1 = ((place_8 + vec2(0.5)) / _e8);
-    vec4 _e13 = textureLod(_group_0_binding_11_fs, vec2(uv_1), 0.0);
-    vec2 stored_5 = _e13.xy;
-    vec2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_5);
+    vec2 uv = ((place_7 + vec2(0.5)) / _e8);
+    vec4 _e13 = textureLod(_group_0_binding_11_fs, vec2(uv), 0.0);
+    vec2 stored_4 = _e13.xy;
+    vec2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_4);
     vec2 _e18 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e17);
     return _e18;
 }
@@ -304,15 +294,15 @@ float barchan_relief_depth(float height) {
     return _e2.x;
 }
 
-vec2 barchan_relief_in_tile(vec2 place_9) {
+vec2 barchan_relief_in_tile(vec2 place_8) {
     vec2 extent_1 = _group_0_binding_0_fs[0].extent;
     uint edges_1 = _group_0_binding_0_fs[0].edges;
     bvec2 repeats = bvec2(((edges_1 & 1u) != 0u), ((edges_1 & 2u) != 0u));
-    vec2 rest_1 = (place_9 - (floor((place_9 / extent_1)) * extent_1));
-    return mix(place_9, mix(rest_1, (rest_1 + extent_1), lessThan(rest_1, vec2(0.0))), repeats);
+    vec2 rest_1 = (place_8 - (floor((place_8 / extent_1)) * extent_1));
+    return mix(place_8, mix(rest_1, (rest_1 + extent_1), lessThan(rest_1, vec2(0.0))), repeats);
 }
 
-BarchanReliefRay barchan_relief_ray(vec2 place_10, vec3 towards) {
+BarchanReliefRay barchan_relief_ray(vec2 place_9, vec3 towards) {
     bool local_1 = false;
     bool local_2 = false;
     bool local_3 = false;
@@ -327,7 +317,7 @@ BarchanReliefRay barchan_relief_ray(vec2 place_10, vec3 towards) {
         local_1 = false;
     }
     bool is_short = local_1;
-    bool is_near = all(lessThanEqual(abs(place_10), vec2(16777216.0)));
+    bool is_near = all(lessThanEqual(abs(place_9), vec2(16777216.0)));
     if ((towards.z > 0.0)) {
         local_2 = is_short;
     } else {
@@ -345,12 +335,12 @@ BarchanReliefRay barchan_relief_ray(vec2 place_10, vec3 towards) {
     }
     float run = (thickness / towards.z);
     vec2 step_1 = (vec2((-(run) * towards.x), (run * towards.y)) / spacing);
-    vec2 _e74 = barchan_relief_in_tile(place_10);
+    vec2 _e74 = barchan_relief_in_tile(place_9);
     return BarchanReliefRay(_e74, step_1, towards, (level_1 / towards.z), true);
 }
 
-BarchanReliefRay barchan_relief_ray_through(vec2 place_11, float depth, vec3 towards_1) {
-    BarchanReliefRay _e3 = barchan_relief_ray(place_11, towards_1);
+BarchanReliefRay barchan_relief_ray_through(vec2 place_10, float depth, vec3 towards_1) {
+    BarchanReliefRay _e3 = barchan_relief_ray(place_10, towards_1);
     if (!(_e3.is_valid)) {
         return _e3;
     }
@@ -414,10 +404,10 @@ float barchan_relief_twist(vec4 corners) {
 }
 
 float barchan_relief_cell_gap(BarchanReliefRay ray_6, ivec2 cell_1, vec4 corners_1, float depth_4) {
-    vec2 place_13 = ((ray_6.place - vec2(cell_1)) + (depth_4 * ray_6.step_));
-    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_13.x)) + ((corners_1.z - corners_1.x) * place_13.y));
+    vec2 place_12 = ((ray_6.place - vec2(cell_1)) + (depth_4 * ray_6.step_));
+    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_12.x)) + ((corners_1.z - corners_1.x) * place_12.y));
     float _e23 = barchan_relief_twist(corners_1);
-    return ((plane + ((_e23 * place_13.x) * place_13.y)) - depth_4);
+    return ((plane + ((_e23 * place_12.x) * place_12.y)) - depth_4);
 }
 
 float barchan_relief_gap(BarchanReliefRay ray_7, float depth_5) {
@@ -655,8 +645,8 @@ BarchanStart barchan_relief_start(BarchanReliefRay ray_11) {
     vec2 count_1 = _group_0_binding_0_fs[8].extent;
     ivec2 texel = min(ivec2(((_e11 / size_3) * count_1)), (ivec2(count_1) - ivec2(1)));
     uint _e52 = _group_0_binding_0_fs[8].azimuths;
-    int layer_8 = ((_e6.x * int(_e52)) + _e6.y);
-    float _e57 = barchan_hemisphere_texel(texel, layer_8);
+    int layer_7 = ((_e6.x * int(_e52)) + _e6.y);
+    float _e57 = barchan_hemisphere_texel(texel, layer_7);
     uint _e61 = _group_0_binding_0_fs[8].depth_mode;
     if ((_e61 == 2u)) {
         return BarchanStart(_e57, true, ivec2(0, 1));
@@ -664,8 +654,8 @@ BarchanStart barchan_relief_start(BarchanReliefRay ray_11) {
     vec2 level_2 = (ray_11.towards.xy / vec2(ray_11.towards.z));
     float _e76 = barchan_relief_ring_edge(_e6.x);
     vec2 _e78 = barchan_relief_azimuth_direction(_e6.y);
-    float stored_6 = (_e76 * dot(_e78, level_2));
-    return BarchanStart(clamp(((_e57 * (1.0 + stored_6)) / (1.0 + dot(level_2, level_2))), 0.0, 1.0), false, ivec2(0, 1));
+    float stored_5 = (_e76 * dot(_e78, level_2));
+    return BarchanStart(clamp(((_e57 * (1.0 + stored_5)) / (1.0 + dot(level_2, level_2))), 0.0, 1.0), false, ivec2(0, 1));
 }
 
 float barchan_relief_cone_step(BarchanReliefRay ray_12, float gap, float ratio) {
@@ -801,9 +791,9 @@ vec2 barchan_probe_place(vec4 position_2) {
     return (_e3 + (floor(position_2.xy) * _e8));
 }
 
-bool barchan_relief_in_shadow(vec2 place_12, float depth_7, vec3 towards_2, float tolerance) {
+bool barchan_relief_in_shadow(vec2 place_11, float depth_7, vec3 towards_2, float tolerance) {
     bool local_17 = false;
-    BarchanReliefRay _e4 = barchan_relief_ray_through(place_12, depth_7, towards_2);
+    BarchanReliefRay _e4 = barchan_relief_ray_through(place_11, depth_7, towards_2);
     if (!(_e4.is_valid)) {
         return true;
     }

@@ -279,54 +279,43 @@ float barchan_height_texel(int2 place_2, int layer_1)
     return _e4;
 }
 
-float barchan_height_at(float2 place_3, int layer_2)
+float barchan_hemisphere_before_transfer(int2 place_3, int layer_2)
 {
-    float2 _e8 = barchan_tables[0].extent;
-    float2 uv = ((place_3 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_height_texels.SampleLevel(barchan_sampler, uv, 0.0);
-    float stored_4 = _e13.x;
-    const float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_4);
-    const float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17);
-    return _e18;
-}
-
-float barchan_hemisphere_before_transfer(int2 place_4, int layer_3)
-{
-    const int2 _e4 = barchan_inside(BARCHAN_HEMISPHERE, place_4, int(0));
-    float4 _e8 = barchan_hemisphere_texels.Load(int4(_e4, layer_3, int(0)));
+    const int2 _e4 = barchan_inside(BARCHAN_HEMISPHERE, place_3, int(0));
+    float4 _e8 = barchan_hemisphere_texels.Load(int4(_e4, layer_2, int(0)));
     const float _e10 = barchan_scaled(BARCHAN_HEMISPHERE, _e8.x);
     return _e10;
 }
 
-float barchan_hemisphere_texel(int2 place_5, int layer_4)
+float barchan_hemisphere_texel(int2 place_4, int layer_3)
 {
-    const float _e3 = barchan_hemisphere_before_transfer(place_5, layer_4);
+    const float _e3 = barchan_hemisphere_before_transfer(place_4, layer_3);
     const float _e4 = barchan_transferred(BARCHAN_HEMISPHERE, _e3);
     return _e4;
 }
 
-float2 barchan_cone_map_before_transfer(int2 place_6, int layer_5)
+float2 barchan_cone_map_before_transfer(int2 place_5, int layer_4)
 {
-    const int2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_6, int(0));
-    float4 _e7 = barchan_cone_map_texels.Load(int3(_e4, layer_5));
+    const int2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_5, int(0));
+    float4 _e7 = barchan_cone_map_texels.Load(int3(_e4, layer_4));
     const float2 _e9 = barchan_scaled_cone(BARCHAN_CONE_MAP, _e7.xy);
     return _e9;
 }
 
-float2 barchan_cone_map_texel(int2 place_7, int layer_6)
+float2 barchan_cone_map_texel(int2 place_6, int layer_5)
 {
-    const float2 _e3 = barchan_cone_map_before_transfer(place_7, layer_6);
+    const float2 _e3 = barchan_cone_map_before_transfer(place_6, layer_5);
     const float2 _e4 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e3);
     return _e4;
 }
 
-float2 barchan_cone_map_at(float2 place_8, int layer_7)
+float2 barchan_cone_map_at(float2 place_7, int layer_6)
 {
     float2 _e8 = barchan_tables[9].extent;
-    float2 uv_1 = ((place_8 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_cone_map_texels.SampleLevel(barchan_sampler, uv_1, 0.0);
-    float2 stored_5 = _e13.xy;
-    const float2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_5);
+    float2 uv = ((place_7 + (0.5).xx) / _e8);
+    float4 _e13 = barchan_cone_map_texels.SampleLevel(barchan_sampler, uv, 0.0);
+    float2 stored_4 = _e13.xy;
+    const float2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_4);
     const float2 _e18 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e17);
     return _e18;
 }
@@ -354,13 +343,13 @@ float barchan_relief_depth(float height)
     return _e2.x;
 }
 
-float2 barchan_relief_in_tile(float2 place_9)
+float2 barchan_relief_in_tile(float2 place_8)
 {
     float2 extent_1 = barchan_tables[0].extent;
     uint edges_1 = barchan_tables[0].edges;
     bool2 repeats = bool2(((edges_1 & 1u) != 0u), ((edges_1 & 2u) != 0u));
-    float2 rest_1 = (place_9 - (floor((place_9 / extent_1)) * extent_1));
-    return (repeats ? ((rest_1 < (0.0).xx) ? (rest_1 + extent_1) : rest_1) : place_9);
+    float2 rest_1 = (place_8 - (floor((place_8 / extent_1)) * extent_1));
+    return (repeats ? ((rest_1 < (0.0).xx) ? (rest_1 + extent_1) : rest_1) : place_8);
 }
 
 BarchanReliefRay ConstructBarchanReliefRay(float2 arg0, float2 arg1, float3 arg2, float arg3, bool arg4) {
@@ -373,7 +362,7 @@ BarchanReliefRay ConstructBarchanReliefRay(float2 arg0, float2 arg1, float3 arg2
     return ret;
 }
 
-BarchanReliefRay barchan_relief_ray(float2 place_10, float3 towards)
+BarchanReliefRay barchan_relief_ray(float2 place_9, float3 towards)
 {
     bool local_1 = (bool)0;
     bool local_2 = (bool)0;
@@ -390,7 +379,7 @@ BarchanReliefRay barchan_relief_ray(float2 place_10, float3 towards)
         local_1 = false;
     }
     bool is_short = local_1;
-    bool is_near = all((abs(place_10) <= (16777216.0).xx));
+    bool is_near = all((abs(place_9) <= (16777216.0).xx));
     if ((towards.z > 0.0)) {
         local_2 = is_short;
     } else {
@@ -409,14 +398,14 @@ BarchanReliefRay barchan_relief_ray(float2 place_10, float3 towards)
     }
     float run = (thickness / towards.z);
     float2 step_1 = (float2((-(run) * towards.x), (run * towards.y)) / spacing);
-    const float2 _e74 = barchan_relief_in_tile(place_10);
+    const float2 _e74 = barchan_relief_in_tile(place_9);
     const BarchanReliefRay barchanreliefray_1 = ConstructBarchanReliefRay(_e74, step_1, towards, (level_1 / towards.z), true);
     return barchanreliefray_1;
 }
 
-BarchanReliefRay barchan_relief_ray_through(float2 place_11, float depth, float3 towards_1)
+BarchanReliefRay barchan_relief_ray_through(float2 place_10, float depth, float3 towards_1)
 {
-    const BarchanReliefRay _e3 = barchan_relief_ray(place_11, towards_1);
+    const BarchanReliefRay _e3 = barchan_relief_ray(place_10, towards_1);
     if (!(_e3.is_valid)) {
         const BarchanReliefRay barchanreliefray_2 = _e3;
         return barchanreliefray_2;
@@ -500,10 +489,10 @@ float barchan_relief_twist(float4 corners)
 
 float barchan_relief_cell_gap(BarchanReliefRay ray_6, int2 cell_1, float4 corners_1, float depth_4)
 {
-    float2 place_13 = ((ray_6.place - float2(cell_1)) + (depth_4 * ray_6.step_));
-    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_13.x)) + ((corners_1.z - corners_1.x) * place_13.y));
+    float2 place_12 = ((ray_6.place - float2(cell_1)) + (depth_4 * ray_6.step_));
+    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_12.x)) + ((corners_1.z - corners_1.x) * place_12.y));
     const float _e23 = barchan_relief_twist(corners_1);
-    return ((plane + ((_e23 * place_13.x) * place_13.y)) - depth_4);
+    return ((plane + ((_e23 * place_12.x) * place_12.y)) - depth_4);
 }
 
 float barchan_relief_gap(BarchanReliefRay ray_7, float depth_5)
@@ -783,8 +772,8 @@ BarchanStart barchan_relief_start(BarchanReliefRay ray_11)
     float2 count_1 = barchan_tables[8].extent;
     int2 texel = min(naga_f2i32(((_e11 / size_3) * count_1)), asint(asuint(naga_f2i32(count_1)) - asuint((int(1)).xx)));
     uint _e52 = barchan_tables[8].azimuths;
-    int layer_8 = asint(asuint(asint(asuint(_e6.x) * asuint(int(_e52)))) + asuint(_e6.y));
-    const float _e57 = barchan_hemisphere_texel(texel, layer_8);
+    int layer_7 = asint(asuint(asint(asuint(_e6.x) * asuint(int(_e52)))) + asuint(_e6.y));
+    const float _e57 = barchan_hemisphere_texel(texel, layer_7);
     uint _e61 = barchan_tables[8].depth_mode;
     if ((_e61 == 2u)) {
         const BarchanStart barchanstart_1 = ConstructBarchanStart(_e57, true, int2(int(0), int(1)));
@@ -793,8 +782,8 @@ BarchanStart barchan_relief_start(BarchanReliefRay ray_11)
     float2 level_2 = (ray_11.towards.xy / (ray_11.towards.z).xx);
     const float _e76 = barchan_relief_ring_edge(_e6.x);
     const float2 _e78 = barchan_relief_azimuth_direction(_e6.y);
-    float stored_6 = (_e76 * dot(_e78, level_2));
-    const BarchanStart barchanstart_2 = ConstructBarchanStart(clamp(((_e57 * (1.0 + stored_6)) / (1.0 + dot(level_2, level_2))), 0.0, 1.0), false, int2(int(0), int(1)));
+    float stored_5 = (_e76 * dot(_e78, level_2));
+    const BarchanStart barchanstart_2 = ConstructBarchanStart(clamp(((_e57 * (1.0 + stored_5)) / (1.0 + dot(level_2, level_2))), 0.0, 1.0), false, int2(int(0), int(1)));
     return barchanstart_2;
 }
 
@@ -949,11 +938,11 @@ float2 barchan_probe_place(float4 position_2)
     return (_e3 + (floor(position_2.xy) * _e8));
 }
 
-bool barchan_relief_in_shadow(float2 place_12, float depth_7, float3 towards_2, float tolerance)
+bool barchan_relief_in_shadow(float2 place_11, float depth_7, float3 towards_2, float tolerance)
 {
     bool local_17 = (bool)0;
 
-    const BarchanReliefRay _e4 = barchan_relief_ray_through(place_12, depth_7, towards_2);
+    const BarchanReliefRay _e4 = barchan_relief_ray_through(place_11, depth_7, towards_2);
     if (!(_e4.is_valid)) {
         return true;
     }

@@ -176,12 +176,6 @@ fn barchan_height_texel(place: vec2<i32>, layer: i32) -> f32 {
     return barchan_transferred(BARCHAN_HEIGHT, barchan_height_before_transfer(place, layer));
 }
 
-fn barchan_height_at(place: vec2<f32>, layer: i32) -> f32 {
-    let uv = (place + 0.5) / barchan_tables[BARCHAN_HEIGHT].extent;
-    let stored = textureSampleLevel(barchan_height_texels, barchan_sampler, uv, 0.0).x;
-    return barchan_transferred(BARCHAN_HEIGHT, barchan_scaled(BARCHAN_HEIGHT, stored));
-}
-
 @group(0) @binding(10) var barchan_hemisphere_texels: texture_2d_array<f32>;
 
 const BARCHAN_HEMISPHERE: u32 = 8u;

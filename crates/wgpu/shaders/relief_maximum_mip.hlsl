@@ -93,7 +93,6 @@ static const int BARCHAN_ENDLESS = int(33554432);
 static const float BARCHAN_LONGEST_BLOCK = 4.0;
 
 cbuffer barchan_tables : register(b0) { BarchanTable barchan_tables[12]; }
-SamplerState barchan_sampler : register(s1);
 Texture2D<float4> barchan_height_texels : register(t2);
 Texture2D<float4> barchan_maximum_mip_texels : register(t13);
 cbuffer barchan_probe : register(b14) { BarchanProbe barchan_probe; }
@@ -283,28 +282,17 @@ float barchan_height_texel(int2 place_2, int layer_1)
     return _e4;
 }
 
-float barchan_height_at(float2 place_3, int layer_2)
+float barchan_maximum_mip_before_transfer(int2 place_3, int layer_2)
 {
-    float2 _e8 = barchan_tables[0].extent;
-    float2 uv = ((place_3 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_height_texels.SampleLevel(barchan_sampler, uv, 0.0);
-    float stored_4 = _e13.x;
-    const float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_4);
-    const float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17);
-    return _e18;
-}
-
-float barchan_maximum_mip_before_transfer(int2 place_4, int layer_3)
-{
-    const int2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_4, layer_3);
-    float4 _e6 = barchan_maximum_mip_texels.Load(int3(_e3, layer_3));
+    const int2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_3, layer_2);
+    float4 _e6 = barchan_maximum_mip_texels.Load(int3(_e3, layer_2));
     const float _e8 = barchan_scaled(BARCHAN_MAXIMUM_MIP, _e6.x);
     return _e8;
 }
 
-float barchan_maximum_mip_texel(int2 place_5, int layer_4)
+float barchan_maximum_mip_texel(int2 place_4, int layer_3)
 {
-    const float _e3 = barchan_maximum_mip_before_transfer(place_5, layer_4);
+    const float _e3 = barchan_maximum_mip_before_transfer(place_4, layer_3);
     const float _e4 = barchan_transferred(BARCHAN_MAXIMUM_MIP, _e3);
     return _e4;
 }
@@ -332,13 +320,13 @@ float barchan_relief_depth(float height)
     return _e2.x;
 }
 
-float2 barchan_relief_in_tile(float2 place_6)
+float2 barchan_relief_in_tile(float2 place_5)
 {
     float2 extent_1 = barchan_tables[0].extent;
     uint edges_1 = barchan_tables[0].edges;
     bool2 repeats_1 = bool2(((edges_1 & 1u) != 0u), ((edges_1 & 2u) != 0u));
-    float2 rest_1 = (place_6 - (floor((place_6 / extent_1)) * extent_1));
-    return (repeats_1 ? ((rest_1 < (0.0).xx) ? (rest_1 + extent_1) : rest_1) : place_6);
+    float2 rest_1 = (place_5 - (floor((place_5 / extent_1)) * extent_1));
+    return (repeats_1 ? ((rest_1 < (0.0).xx) ? (rest_1 + extent_1) : rest_1) : place_5);
 }
 
 BarchanReliefRay ConstructBarchanReliefRay(float2 arg0, float2 arg1, float3 arg2, float arg3, bool arg4) {
@@ -351,7 +339,7 @@ BarchanReliefRay ConstructBarchanReliefRay(float2 arg0, float2 arg1, float3 arg2
     return ret;
 }
 
-BarchanReliefRay barchan_relief_ray(float2 place_7, float3 towards)
+BarchanReliefRay barchan_relief_ray(float2 place_6, float3 towards)
 {
     bool local_1 = (bool)0;
     bool local_2 = (bool)0;
@@ -368,7 +356,7 @@ BarchanReliefRay barchan_relief_ray(float2 place_7, float3 towards)
         local_1 = false;
     }
     bool is_short = local_1;
-    bool is_near = all((abs(place_7) <= (16777216.0).xx));
+    bool is_near = all((abs(place_6) <= (16777216.0).xx));
     if ((towards.z > 0.0)) {
         local_2 = is_short;
     } else {
@@ -387,14 +375,14 @@ BarchanReliefRay barchan_relief_ray(float2 place_7, float3 towards)
     }
     float run = (thickness / towards.z);
     float2 step_1 = (float2((-(run) * towards.x), (run * towards.y)) / spacing);
-    const float2 _e74 = barchan_relief_in_tile(place_7);
+    const float2 _e74 = barchan_relief_in_tile(place_6);
     const BarchanReliefRay barchanreliefray_1 = ConstructBarchanReliefRay(_e74, step_1, towards, (level_6 / towards.z), true);
     return barchanreliefray_1;
 }
 
-BarchanReliefRay barchan_relief_ray_through(float2 place_8, float depth, float3 towards_1)
+BarchanReliefRay barchan_relief_ray_through(float2 place_7, float depth, float3 towards_1)
 {
-    const BarchanReliefRay _e3 = barchan_relief_ray(place_8, towards_1);
+    const BarchanReliefRay _e3 = barchan_relief_ray(place_7, towards_1);
     if (!(_e3.is_valid)) {
         const BarchanReliefRay barchanreliefray_2 = _e3;
         return barchanreliefray_2;
@@ -478,10 +466,10 @@ float barchan_relief_twist(float4 corners)
 
 float barchan_relief_cell_gap(BarchanReliefRay ray_6, int2 cell_1, float4 corners_1, float depth_4)
 {
-    float2 place_10 = ((ray_6.place - float2(cell_1)) + (depth_4 * ray_6.step_));
-    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_10.x)) + ((corners_1.z - corners_1.x) * place_10.y));
+    float2 place_9 = ((ray_6.place - float2(cell_1)) + (depth_4 * ray_6.step_));
+    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_9.x)) + ((corners_1.z - corners_1.x) * place_9.y));
     const float _e23 = barchan_relief_twist(corners_1);
-    return ((plane + ((_e23 * place_10.x) * place_10.y)) - depth_4);
+    return ((plane + ((_e23 * place_9.x) * place_9.y)) - depth_4);
 }
 
 float barchan_relief_gap(BarchanReliefRay ray_7, float depth_5)
@@ -894,11 +882,11 @@ float2 barchan_probe_place(float4 position_2)
     return (_e3 + (floor(position_2.xy) * _e8));
 }
 
-bool barchan_relief_in_shadow(float2 place_9, float depth_7, float3 towards_2, float tolerance)
+bool barchan_relief_in_shadow(float2 place_8, float depth_7, float3 towards_2, float tolerance)
 {
     bool local_14 = (bool)0;
 
-    const BarchanReliefRay _e4 = barchan_relief_ray_through(place_9, depth_7, towards_2);
+    const BarchanReliefRay _e4 = barchan_relief_ray_through(place_8, depth_7, towards_2);
     if (!(_e4.is_valid)) {
         return true;
     }

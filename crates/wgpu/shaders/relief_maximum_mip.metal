@@ -309,41 +309,25 @@ float barchan_height_texel(
     return _e4;
 }
 
-float barchan_height_at(
-    metal::float2 place_3,
-    int layer_2,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d<float, metal::access::sample> barchan_height_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[0].extent;
-    metal::float2 uv = (place_3 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_height_texels.sample(barchan_sampler, uv, metal::level(0.0));
-    float stored_4 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_4, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17, barchan_tables);
-    return _e18;
-}
-
 float barchan_maximum_mip_before_transfer(
-    metal::int2 place_4,
-    int layer_3,
+    metal::int2 place_3,
+    int layer_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_maximum_mip_texels
 ) {
-    metal::int2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_4, layer_3, barchan_tables);
-    metal::float4 _e6 = barchan_maximum_mip_texels.read(metal::uint2(_e3), layer_3);
+    metal::int2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_3, layer_2, barchan_tables);
+    metal::float4 _e6 = barchan_maximum_mip_texels.read(metal::uint2(_e3), layer_2);
     float _e8 = barchan_scaled(BARCHAN_MAXIMUM_MIP, _e6.x, barchan_tables);
     return _e8;
 }
 
 float barchan_maximum_mip_texel(
-    metal::int2 place_5,
-    int layer_4,
+    metal::int2 place_4,
+    int layer_3,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_maximum_mip_texels
 ) {
-    float _e3 = barchan_maximum_mip_before_transfer(place_5, layer_4, barchan_tables, barchan_maximum_mip_texels);
+    float _e3 = barchan_maximum_mip_before_transfer(place_4, layer_3, barchan_tables, barchan_maximum_mip_texels);
     float _e4 = barchan_transferred(BARCHAN_MAXIMUM_MIP, _e3, barchan_tables);
     return _e4;
 }
@@ -377,18 +361,18 @@ float barchan_relief_depth(
 }
 
 metal::float2 barchan_relief_in_tile(
-    metal::float2 place_6,
+    metal::float2 place_5,
     constant BarchanTables& barchan_tables
 ) {
     metal::float2 extent_1 = barchan_tables.inner[0].extent;
     uint edges_1 = barchan_tables.inner[0].edges;
     metal::bool2 repeats_1 = metal::bool2((edges_1 & 1u) != 0u, (edges_1 & 2u) != 0u);
-    metal::float2 rest_1 = place_6 - (metal::floor(place_6 / extent_1) * extent_1);
-    return metal::select(place_6, metal::select(rest_1, rest_1 + extent_1, rest_1 < metal::float2(0.0)), repeats_1);
+    metal::float2 rest_1 = place_5 - (metal::floor(place_5 / extent_1) * extent_1);
+    return metal::select(place_5, metal::select(rest_1, rest_1 + extent_1, rest_1 < metal::float2(0.0)), repeats_1);
 }
 
 BarchanReliefRay barchan_relief_ray(
-    metal::float2 place_7,
+    metal::float2 place_6,
     metal::float3 towards,
     constant BarchanTables& barchan_tables
 ) {
@@ -406,7 +390,7 @@ BarchanReliefRay barchan_relief_ray(
         local_1 = false;
     }
     bool is_short = local_1;
-    bool is_near = metal::all(metal::abs(place_7) <= metal::float2(16777216.0));
+    bool is_near = metal::all(metal::abs(place_6) <= metal::float2(16777216.0));
     if (towards.z > 0.0) {
         local_2 = is_short;
     } else {
@@ -424,17 +408,17 @@ BarchanReliefRay barchan_relief_ray(
     }
     float run = thickness / towards.z;
     metal::float2 step_1 = metal::float2(-(run) * towards.x, run * towards.y) / spacing;
-    metal::float2 _e74 = barchan_relief_in_tile(place_7, barchan_tables);
+    metal::float2 _e74 = barchan_relief_in_tile(place_6, barchan_tables);
     return BarchanReliefRay {_e74, step_1, towards, level_6 / towards.z, true};
 }
 
 BarchanReliefRay barchan_relief_ray_through(
-    metal::float2 place_8,
+    metal::float2 place_7,
     float depth,
     metal::float3 towards_1,
     constant BarchanTables& barchan_tables
 ) {
-    BarchanReliefRay _e3 = barchan_relief_ray(place_8, towards_1, barchan_tables);
+    BarchanReliefRay _e3 = barchan_relief_ray(place_7, towards_1, barchan_tables);
     if (!(_e3.is_valid)) {
         return _e3;
     }
@@ -530,10 +514,10 @@ float barchan_relief_cell_gap(
     metal::float4 corners_1,
     float depth_4
 ) {
-    metal::float2 place_10 = (ray_6.place - static_cast<metal::float2>(cell_1)) + (depth_4 * ray_6.step);
-    float plane = (corners_1.x + ((corners_1.y - corners_1.x) * place_10.x)) + ((corners_1.z - corners_1.x) * place_10.y);
+    metal::float2 place_9 = (ray_6.place - static_cast<metal::float2>(cell_1)) + (depth_4 * ray_6.step);
+    float plane = (corners_1.x + ((corners_1.y - corners_1.x) * place_9.x)) + ((corners_1.z - corners_1.x) * place_9.y);
     float _e23 = barchan_relief_twist(corners_1);
-    return (plane + ((_e23 * place_10.x) * place_10.y)) - depth_4;
+    return (plane + ((_e23 * place_9.x) * place_9.y)) - depth_4;
 }
 
 float barchan_relief_gap(
@@ -945,7 +929,7 @@ metal::float2 barchan_probe_place(
 }
 
 bool barchan_relief_in_shadow(
-    metal::float2 place_9,
+    metal::float2 place_8,
     float depth_7,
     metal::float3 towards_2,
     float tolerance,
@@ -954,7 +938,7 @@ bool barchan_relief_in_shadow(
     metal::texture2d<float, metal::access::sample> barchan_maximum_mip_texels
 ) {
     bool local_14 = {};
-    BarchanReliefRay _e4 = barchan_relief_ray_through(place_9, depth_7, towards_2, barchan_tables);
+    BarchanReliefRay _e4 = barchan_relief_ray_through(place_8, depth_7, towards_2, barchan_tables);
     if (!(_e4.is_valid)) {
         return true;
     }

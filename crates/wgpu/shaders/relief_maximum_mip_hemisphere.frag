@@ -244,28 +244,28 @@ float barchan_height_texel(ivec2 place_2, int layer_1) {
     return _e4;
 }
 
-float barchan_hemisphere_before_transfer(ivec2 place_4, int layer_3) {
-    ivec2 _e4 = barchan_inside(BARCHAN_HEMISPHERE, place_4, 0);
-    vec4 _e8 = texelFetch(_group_0_binding_10_fs, ivec3(_e4, layer_3), 0);
+float barchan_hemisphere_before_transfer(ivec2 place_3, int layer_2) {
+    ivec2 _e4 = barchan_inside(BARCHAN_HEMISPHERE, place_3, 0);
+    vec4 _e8 = texelFetch(_group_0_binding_10_fs, ivec3(_e4, layer_2), 0);
     float _e10 = barchan_scaled(BARCHAN_HEMISPHERE, _e8.x);
     return _e10;
 }
 
-float barchan_hemisphere_texel(ivec2 place_5, int layer_4) {
-    float _e3 = barchan_hemisphere_before_transfer(place_5, layer_4);
+float barchan_hemisphere_texel(ivec2 place_4, int layer_3) {
+    float _e3 = barchan_hemisphere_before_transfer(place_4, layer_3);
     float _e4 = barchan_transferred(BARCHAN_HEMISPHERE, _e3);
     return _e4;
 }
 
-float barchan_maximum_mip_before_transfer(ivec2 place_6, int layer_5) {
-    ivec2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_6, layer_5);
-    vec4 _e6 = texelFetch(_group_0_binding_13_fs, _e3, layer_5);
+float barchan_maximum_mip_before_transfer(ivec2 place_5, int layer_4) {
+    ivec2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_5, layer_4);
+    vec4 _e6 = texelFetch(_group_0_binding_13_fs, _e3, layer_4);
     float _e8 = barchan_scaled(BARCHAN_MAXIMUM_MIP, _e6.x);
     return _e8;
 }
 
-float barchan_maximum_mip_texel(ivec2 place_7, int layer_6) {
-    float _e3 = barchan_maximum_mip_before_transfer(place_7, layer_6);
+float barchan_maximum_mip_texel(ivec2 place_6, int layer_5) {
+    float _e3 = barchan_maximum_mip_before_transfer(place_6, layer_5);
     float _e4 = barchan_transferred(BARCHAN_MAXIMUM_MIP, _e3);
     return _e4;
 }
@@ -290,15 +290,15 @@ float barchan_relief_depth(float height) {
     return _e2.x;
 }
 
-vec2 barchan_relief_in_tile(vec2 place_8) {
+vec2 barchan_relief_in_tile(vec2 place_7) {
     vec2 extent_1 = _group_0_binding_0_fs[0].extent;
     uint edges_1 = _group_0_binding_0_fs[0].edges;
     bvec2 repeats_1 = bvec2(((edges_1 & 1u) != 0u), ((edges_1 & 2u) != 0u));
-    vec2 rest_1 = (place_8 - (floor((place_8 / extent_1)) * extent_1));
-    return mix(place_8, mix(rest_1, (rest_1 + extent_1), lessThan(rest_1, vec2(0.0))), repeats_1);
+    vec2 rest_1 = (place_7 - (floor((place_7 / extent_1)) * extent_1));
+    return mix(place_7, mix(rest_1, (rest_1 + extent_1), lessThan(rest_1, vec2(0.0))), repeats_1);
 }
 
-BarchanReliefRay barchan_relief_ray(vec2 place_9, vec3 towards) {
+BarchanReliefRay barchan_relief_ray(vec2 place_8, vec3 towards) {
     bool local_1 = false;
     bool local_2 = false;
     bool local_3 = false;
@@ -313,7 +313,7 @@ BarchanReliefRay barchan_relief_ray(vec2 place_9, vec3 towards) {
         local_1 = false;
     }
     bool is_short = local_1;
-    bool is_near = all(lessThanEqual(abs(place_9), vec2(16777216.0)));
+    bool is_near = all(lessThanEqual(abs(place_8), vec2(16777216.0)));
     if ((towards.z > 0.0)) {
         local_2 = is_short;
     } else {
@@ -331,12 +331,12 @@ BarchanReliefRay barchan_relief_ray(vec2 place_9, vec3 towards) {
     }
     float run = (thickness / towards.z);
     vec2 step_1 = (vec2((-(run) * towards.x), (run * towards.y)) / spacing);
-    vec2 _e74 = barchan_relief_in_tile(place_9);
+    vec2 _e74 = barchan_relief_in_tile(place_8);
     return BarchanReliefRay(_e74, step_1, towards, (level_6 / towards.z), true);
 }
 
-BarchanReliefRay barchan_relief_ray_through(vec2 place_10, float depth, vec3 towards_1) {
-    BarchanReliefRay _e3 = barchan_relief_ray(place_10, towards_1);
+BarchanReliefRay barchan_relief_ray_through(vec2 place_9, float depth, vec3 towards_1) {
+    BarchanReliefRay _e3 = barchan_relief_ray(place_9, towards_1);
     if (!(_e3.is_valid)) {
         return _e3;
     }
@@ -400,10 +400,10 @@ float barchan_relief_twist(vec4 corners) {
 }
 
 float barchan_relief_cell_gap(BarchanReliefRay ray_6, ivec2 cell_1, vec4 corners_1, float depth_4) {
-    vec2 place_12 = ((ray_6.place - vec2(cell_1)) + (depth_4 * ray_6.step_));
-    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_12.x)) + ((corners_1.z - corners_1.x) * place_12.y));
+    vec2 place_11 = ((ray_6.place - vec2(cell_1)) + (depth_4 * ray_6.step_));
+    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_11.x)) + ((corners_1.z - corners_1.x) * place_11.y));
     float _e23 = barchan_relief_twist(corners_1);
-    return ((plane + ((_e23 * place_12.x) * place_12.y)) - depth_4);
+    return ((plane + ((_e23 * place_11.x) * place_11.y)) - depth_4);
 }
 
 float barchan_relief_gap(BarchanReliefRay ray_7, float depth_5) {
@@ -641,8 +641,8 @@ BarchanStart barchan_relief_start(BarchanReliefRay ray_11) {
     vec2 count_1 = _group_0_binding_0_fs[8].extent;
     ivec2 texel = min(ivec2(((_e11 / size_4) * count_1)), (ivec2(count_1) - ivec2(1)));
     uint _e52 = _group_0_binding_0_fs[8].azimuths;
-    int layer_7 = ((_e6.x * int(_e52)) + _e6.y);
-    float _e57 = barchan_hemisphere_texel(texel, layer_7);
+    int layer_6 = ((_e6.x * int(_e52)) + _e6.y);
+    float _e57 = barchan_hemisphere_texel(texel, layer_6);
     uint _e61 = _group_0_binding_0_fs[8].depth_mode;
     if ((_e61 == 2u)) {
         return BarchanStart(_e57, true, ivec2(0, 1));
@@ -871,9 +871,9 @@ vec2 barchan_probe_place(vec4 position_2) {
     return (_e3 + (floor(position_2.xy) * _e8));
 }
 
-bool barchan_relief_in_shadow(vec2 place_11, float depth_7, vec3 towards_2, float tolerance) {
+bool barchan_relief_in_shadow(vec2 place_10, float depth_7, vec3 towards_2, float tolerance) {
     bool local_19 = false;
-    BarchanReliefRay _e4 = barchan_relief_ray_through(place_11, depth_7, towards_2);
+    BarchanReliefRay _e4 = barchan_relief_ray_through(place_10, depth_7, towards_2);
     if (!(_e4.is_valid)) {
         return true;
     }

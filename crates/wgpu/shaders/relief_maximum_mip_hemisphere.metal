@@ -311,64 +311,48 @@ float barchan_height_texel(
     return _e4;
 }
 
-float barchan_height_at(
-    metal::float2 place_3,
-    int layer_2,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d<float, metal::access::sample> barchan_height_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[0].extent;
-    metal::float2 uv = (place_3 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_height_texels.sample(barchan_sampler, uv, metal::level(0.0));
-    float stored_4 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_4, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17, barchan_tables);
-    return _e18;
-}
-
 float barchan_hemisphere_before_transfer(
-    metal::int2 place_4,
-    int layer_3,
+    metal::int2 place_3,
+    int layer_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_hemisphere_texels
 ) {
-    metal::int2 _e4 = barchan_inside(BARCHAN_HEMISPHERE, place_4, 0, barchan_tables);
-    metal::float4 _e8 = barchan_hemisphere_texels.read(metal::uint2(_e4), layer_3, 0);
+    metal::int2 _e4 = barchan_inside(BARCHAN_HEMISPHERE, place_3, 0, barchan_tables);
+    metal::float4 _e8 = barchan_hemisphere_texels.read(metal::uint2(_e4), layer_2, 0);
     float _e10 = barchan_scaled(BARCHAN_HEMISPHERE, _e8.x, barchan_tables);
     return _e10;
 }
 
 float barchan_hemisphere_texel(
-    metal::int2 place_5,
-    int layer_4,
+    metal::int2 place_4,
+    int layer_3,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_hemisphere_texels
 ) {
-    float _e3 = barchan_hemisphere_before_transfer(place_5, layer_4, barchan_tables, barchan_hemisphere_texels);
+    float _e3 = barchan_hemisphere_before_transfer(place_4, layer_3, barchan_tables, barchan_hemisphere_texels);
     float _e4 = barchan_transferred(BARCHAN_HEMISPHERE, _e3, barchan_tables);
     return _e4;
 }
 
 float barchan_maximum_mip_before_transfer(
-    metal::int2 place_6,
-    int layer_5,
+    metal::int2 place_5,
+    int layer_4,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_maximum_mip_texels
 ) {
-    metal::int2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_6, layer_5, barchan_tables);
-    metal::float4 _e6 = barchan_maximum_mip_texels.read(metal::uint2(_e3), layer_5);
+    metal::int2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_5, layer_4, barchan_tables);
+    metal::float4 _e6 = barchan_maximum_mip_texels.read(metal::uint2(_e3), layer_4);
     float _e8 = barchan_scaled(BARCHAN_MAXIMUM_MIP, _e6.x, barchan_tables);
     return _e8;
 }
 
 float barchan_maximum_mip_texel(
-    metal::int2 place_7,
-    int layer_6,
+    metal::int2 place_6,
+    int layer_5,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_maximum_mip_texels
 ) {
-    float _e3 = barchan_maximum_mip_before_transfer(place_7, layer_6, barchan_tables, barchan_maximum_mip_texels);
+    float _e3 = barchan_maximum_mip_before_transfer(place_6, layer_5, barchan_tables, barchan_maximum_mip_texels);
     float _e4 = barchan_transferred(BARCHAN_MAXIMUM_MIP, _e3, barchan_tables);
     return _e4;
 }
@@ -402,18 +386,18 @@ float barchan_relief_depth(
 }
 
 metal::float2 barchan_relief_in_tile(
-    metal::float2 place_8,
+    metal::float2 place_7,
     constant BarchanTables& barchan_tables
 ) {
     metal::float2 extent_1 = barchan_tables.inner[0].extent;
     uint edges_1 = barchan_tables.inner[0].edges;
     metal::bool2 repeats_1 = metal::bool2((edges_1 & 1u) != 0u, (edges_1 & 2u) != 0u);
-    metal::float2 rest_1 = place_8 - (metal::floor(place_8 / extent_1) * extent_1);
-    return metal::select(place_8, metal::select(rest_1, rest_1 + extent_1, rest_1 < metal::float2(0.0)), repeats_1);
+    metal::float2 rest_1 = place_7 - (metal::floor(place_7 / extent_1) * extent_1);
+    return metal::select(place_7, metal::select(rest_1, rest_1 + extent_1, rest_1 < metal::float2(0.0)), repeats_1);
 }
 
 BarchanReliefRay barchan_relief_ray(
-    metal::float2 place_9,
+    metal::float2 place_8,
     metal::float3 towards,
     constant BarchanTables& barchan_tables
 ) {
@@ -431,7 +415,7 @@ BarchanReliefRay barchan_relief_ray(
         local_1 = false;
     }
     bool is_short = local_1;
-    bool is_near = metal::all(metal::abs(place_9) <= metal::float2(16777216.0));
+    bool is_near = metal::all(metal::abs(place_8) <= metal::float2(16777216.0));
     if (towards.z > 0.0) {
         local_2 = is_short;
     } else {
@@ -449,17 +433,17 @@ BarchanReliefRay barchan_relief_ray(
     }
     float run = thickness / towards.z;
     metal::float2 step_1 = metal::float2(-(run) * towards.x, run * towards.y) / spacing;
-    metal::float2 _e74 = barchan_relief_in_tile(place_9, barchan_tables);
+    metal::float2 _e74 = barchan_relief_in_tile(place_8, barchan_tables);
     return BarchanReliefRay {_e74, step_1, towards, level_6 / towards.z, true};
 }
 
 BarchanReliefRay barchan_relief_ray_through(
-    metal::float2 place_10,
+    metal::float2 place_9,
     float depth,
     metal::float3 towards_1,
     constant BarchanTables& barchan_tables
 ) {
-    BarchanReliefRay _e3 = barchan_relief_ray(place_10, towards_1, barchan_tables);
+    BarchanReliefRay _e3 = barchan_relief_ray(place_9, towards_1, barchan_tables);
     if (!(_e3.is_valid)) {
         return _e3;
     }
@@ -555,10 +539,10 @@ float barchan_relief_cell_gap(
     metal::float4 corners_1,
     float depth_4
 ) {
-    metal::float2 place_12 = (ray_6.place - static_cast<metal::float2>(cell_1)) + (depth_4 * ray_6.step);
-    float plane = (corners_1.x + ((corners_1.y - corners_1.x) * place_12.x)) + ((corners_1.z - corners_1.x) * place_12.y);
+    metal::float2 place_11 = (ray_6.place - static_cast<metal::float2>(cell_1)) + (depth_4 * ray_6.step);
+    float plane = (corners_1.x + ((corners_1.y - corners_1.x) * place_11.x)) + ((corners_1.z - corners_1.x) * place_11.y);
     float _e23 = barchan_relief_twist(corners_1);
-    return (plane + ((_e23 * place_12.x) * place_12.y)) - depth_4;
+    return (plane + ((_e23 * place_11.x) * place_11.y)) - depth_4;
 }
 
 float barchan_relief_gap(
@@ -841,8 +825,8 @@ BarchanStart barchan_relief_start(
     metal::float2 count_1 = barchan_tables.inner[8].extent;
     metal::int2 texel = metal::min(naga_f2i32((_e11 / size_4) * count_1), as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(count_1)) - as_type<metal::uint2>(metal::int2(1))));
     uint _e52 = barchan_tables.inner[8].azimuths;
-    int layer_7 = as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(_e6.x) * as_type<uint>(static_cast<int>(_e52)))) + as_type<uint>(_e6.y));
-    float _e57 = barchan_hemisphere_texel(texel, layer_7, barchan_tables, barchan_hemisphere_texels);
+    int layer_6 = as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(_e6.x) * as_type<uint>(static_cast<int>(_e52)))) + as_type<uint>(_e6.y));
+    float _e57 = barchan_hemisphere_texel(texel, layer_6, barchan_tables, barchan_hemisphere_texels);
     uint _e61 = barchan_tables.inner[8].depth_mode;
     if (_e61 == 2u) {
         return BarchanStart {_e57, true, {}, metal::int2(0, 1)};
@@ -850,8 +834,8 @@ BarchanStart barchan_relief_start(
     metal::float2 level_7 = metal::float3(ray_11.towards).xy / metal::float2(ray_11.towards[2]);
     float _e76 = barchan_relief_ring_edge(_e6.x, barchan_tables);
     metal::float2 _e78 = barchan_relief_azimuth_direction(_e6.y, barchan_tables);
-    float stored_5 = _e76 * metal::dot(_e78, level_7);
-    return BarchanStart {metal::clamp((_e57 * (1.0 + stored_5)) / (1.0 + metal::dot(level_7, level_7)), 0.0, 1.0), false, {}, metal::int2(0, 1)};
+    float stored_4 = _e76 * metal::dot(_e78, level_7);
+    return BarchanStart {metal::clamp((_e57 * (1.0 + stored_4)) / (1.0 + metal::dot(level_7, level_7)), 0.0, 1.0), false, {}, metal::int2(0, 1)};
 }
 
 int barchan_mip_coarsest(
@@ -1111,7 +1095,7 @@ metal::float2 barchan_probe_place(
 }
 
 bool barchan_relief_in_shadow(
-    metal::float2 place_11,
+    metal::float2 place_10,
     float depth_7,
     metal::float3 towards_2,
     float tolerance,
@@ -1121,7 +1105,7 @@ bool barchan_relief_in_shadow(
     metal::texture2d<float, metal::access::sample> barchan_maximum_mip_texels
 ) {
     bool local_19 = {};
-    BarchanReliefRay _e4 = barchan_relief_ray_through(place_11, depth_7, towards_2, barchan_tables);
+    BarchanReliefRay _e4 = barchan_relief_ray_through(place_10, depth_7, towards_2, barchan_tables);
     if (!(_e4.is_valid)) {
         return true;
     }

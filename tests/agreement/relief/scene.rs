@@ -47,8 +47,7 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    pub(crate) const ALL: [Self; 6] =
-        [Self::Smooth, Self::Cobbles, Self::Spikes, Self::Walls, Self::Noise, Self::Flat];
+    pub(crate) const ALL: [Self; 6] = [Self::Smooth, Self::Cobbles, Self::Spikes, Self::Walls, Self::Noise, Self::Flat];
 
     /// The height of a texel, 0 to 1.
     fn height(self, (width, height): (u32, u32), column: u32, row: u32) -> f32 {

@@ -126,21 +126,22 @@ impl Shader {
     pub fn compose(plan: &UploadPlan, techniques: &[Technique], options: &ShaderOptions) -> Result<Self, ComposeError> {
         technique::check(techniques)?;
         let tables = technique::tables(techniques, plan)?;
-        let is_filtered = |texture: &TexturePlan| options.sampling == Sampling::Filtered && texture.is_filterable;
-        let textures = || tables.iter().filter_map(|&table| plan.texture(table));
+        let parts = technique::parts(techniques, &tables, options.probes);
+        let textures: Vec<_> = tables.iter().filter_map(|&table| plan.texture(table)).collect();
+        let interpolations: Vec<_> = textures.iter().map(|texture| interpolation(texture, &parts, options)).collect();
         let mut kinds = vec![BindingKind::Parameters];
         let mut source = [include_str!("wgsl/functions.wgsl"), include_str!("wgsl/table.wgsl")].join("\n");
-        if textures().any(is_filtered) {
+        if interpolations.contains(&Some(Sampling::Filtered)) {
             kinds.push(BindingKind::Sampler);
             source += access::SAMPLER;
         }
-        for texture in textures() {
-            let (table, shape, is_filtered) = (texture.table, texture.shape, is_filtered(texture));
-            kinds.push(BindingKind::Texture { table, shape, is_filtered });
-            source += &access::of_table(texture, is_filtered);
+        for (texture, interpolation) in textures.into_iter().zip(interpolations) {
+            let is_filtered = interpolation == Some(Sampling::Filtered);
+            kinds.push(BindingKind::Texture { table: texture.table, shape: texture.shape, is_filtered });
+            source += &access::of_table(texture, interpolation);
         }
         source += &technique::constants(techniques);
-        for part in technique::parts(techniques, &tables, options.probes) {
+        for part in parts {
             source += "\n";
             source += part;
         }
@@ -165,6 +166,14 @@ impl Shader {
     pub fn bindings(&self) -> &[Binding] {
         &self.bindings
     }
+}
+
+/// How the parts interpolate between texels of a table, if they do.
+fn interpolation(texture: &TexturePlan, parts: &[&str], options: &ShaderOptions) -> Option<Sampling> {
+    let called = format!("barchan_{}_at(", texture.table.kind().name().unwrap_or_default());
+    let is_asked = parts.iter().any(|part| part.contains(&called));
+    let sampling = if texture.is_filterable { options.sampling } else { Sampling::Loaded };
+    is_asked.then_some(sampling)
 }
 
 impl BindingKind {

@@ -4,7 +4,6 @@
 mod every_table;
 
 mod bindings;
-mod functions;
 mod validity;
 
 use barchan_asset::{Encoding, Semantic};
