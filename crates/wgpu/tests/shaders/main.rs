@@ -4,6 +4,7 @@
 mod every_table;
 
 mod bindings;
+mod readme;
 mod validity;
 
 use barchan_asset::{Encoding, Semantic};
