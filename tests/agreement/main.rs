@@ -7,5 +7,5 @@
 mod band;
 mod compare;
 mod horizon;
-mod support;
 mod relief;
+mod support;
