@@ -5,7 +5,7 @@
 //! Depths are parts of the relief's thickness. Searches that end in an exact cell (cone steps, maximum mips) agree to 1e-5, the rounding
 //! of 32-bit floats. Of those that step until they are inside, rounding decides wherever a step ends on the surface itself, as it does
 //! along the normal and on the top plane: linear search and parallax occlusion then go on, now and then to another point of a
-//! grazing ray, and relaxed cones end up to their least step of 1/1024 behind. A sampler's weights have 8 bits, so that through it a place
+//! grazing ray, and relaxed cones end up to two of their least steps, of 1/1024, behind. A sampler's weights have 8 bits, so that through it a place
 //! is known to 1/512 of a texel, and a depth to what the relief rises on that; exact cells are loaded and do not see it.
 
 mod depth_map;
@@ -49,7 +49,7 @@ impl Limits {
             ReliefSearch::ConeSteps | ReliefSearch::MaximumMip => {
                 Self { depth: 1e-5, depth_share: 0.001, fetch_share: 0.02 }
             }
-            ReliefSearch::RelaxedConeSteps { .. } => Self { depth: 1e-3, depth_share: 0.01, fetch_share: 0.05 },
+            ReliefSearch::RelaxedConeSteps { .. } => Self { depth: 2e-3, depth_share: 0.02, fetch_share: 0.05 },
             _ => Self { depth: 1e-4, depth_share: 0.01, fetch_share: 0.05 },
         }
     }
