@@ -11,4 +11,6 @@ mod functions;
 mod horizon;
 mod penumbra;
 mod relief;
+mod sky;
 mod support;
+mod texels;
