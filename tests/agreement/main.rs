@@ -6,8 +6,11 @@
 
 mod band;
 mod compare;
+mod curved;
+mod functions;
 mod horizon;
 mod penumbra;
+mod relief;
 mod sky;
 mod support;
 mod texels;
