@@ -29,11 +29,8 @@ fn torus() -> Mesh {
 fn file(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
     let exec = Exec::new(1).unwrap();
     let found = bake(mesh, &CurvatureParams::default(), &exec).unwrap();
-    let forms: Vec<_> = forms(mesh, &found, &exec)
-        .unwrap()
-        .iter()
-        .map(|form| SurfaceForms::nearest(form.first, form.second))
-        .collect();
+    let forms: Vec<_> =
+        forms(mesh, &found, &exec).unwrap().iter().map(|form| SurfaceForms::nearest(form.first, form.second)).collect();
     let principal: Vec<_> = found.vertices.iter().map(|vertex| vertex.principal.map(|k| k as f32)).collect();
     let curvature = CurvatureTable {
         length_unit: LengthUnit::Metre,
@@ -146,7 +143,8 @@ fn expected(loaded: &Loaded, mesh: &Mesh, direction: DVec2) -> Vec<Option<f64>> 
         for row in low.y as u32..high.y.ceil() as u32 {
             for pixel in low.x as u32..high.x.ceil() as u32 {
                 let p = DVec2::new(f64::from(pixel) + 0.5, f64::from(row) + 0.5);
-                let weights = [(b - p).perp_dot(c - p), (c - p).perp_dot(a - p), (a - p).perp_dot(b - p)].map(|w| w / area);
+                let weights =
+                    [(b - p).perp_dot(c - p), (c - p).perp_dot(a - p), (a - p).perp_dot(b - p)].map(|w| w / area);
                 if weights.iter().all(|&weight| weight > 1e-3) {
                     let between = FundamentalForms::interpolated(corners.each_ref(), weights);
                     curvatures[(row * SIDE + pixel) as usize] = Some(between.along(direction.x, direction.y));
@@ -162,7 +160,7 @@ fn forms_of_vertices_are_interpolated_to_the_curvature_of_every_pixel() {
     let mesh = torus();
     for encoding in [Encoding::F32, Encoding::F16] {
         let loaded = Loaded::new(file(&mesh, encoding));
-        for direction in [DVec2::new(1.0, 0.0), DVec2::new(0.3, -0.8)] {
+        for direction in [DVec2::new(1.0, 0.0), DVec2::new(0.9, -0.4)] {
             let expected = expected(&loaded, &mesh, direction);
             let drawn = drawn(&loaded, &mesh, direction);
             let (mut found, mut known) = (numbers(&drawn, 0), Vec::new());
