@@ -26,7 +26,7 @@ pub(super) fn least() -> &'static Loaded {
     })
 }
 
-/// Numbers of the first channel against what was expected of each input, in one line of pixels.
+/// One of the four numbers against what was expected of each input, in one line of pixels.
 pub(super) fn agree_in_a_line(name: &str, found: &[[f32; 4]], which: usize, expected: &[f64], tolerance: f64) -> f64 {
     agree(name, (expected.len() as u32, 1), &numbers(found, which), expected, tolerance, 0.0)
 }
