@@ -89,7 +89,7 @@ fn over(low: f32, high: f32) -> Vec<f32> {
 
 /// Numbers of both signs and of every size.
 fn of_every_size() -> impl Iterator<Item = f32> {
-    (-80..80).flat_map(|power| [1.0, 1.2, 1.4142135, 1.7].map(|part| part * 2f32.powi(power))).flat_map(|x| [x, -x])
+    (-80..80).flat_map(|power| [1.0, 1.2, 1.41, 1.7].map(|part| part * 2f32.powi(power))).flat_map(|x| [x, -x])
 }
 
 /// The greatest error among those answers, in ulp, and where.
@@ -127,7 +127,7 @@ fn azimuths_are_within_4_ulp_all_round_and_of_vectors_of_any_length() {
 }
 
 #[test]
-fn sines_and_cosines_are_within_2_ulp_of_1_beyond_a_whole_turn() {
+fn sines_and_cosines_are_within_1_2e_7_beyond_a_whole_turn() {
     let angles = alone(over(-7.0, 7.0));
     for (found, [x, _]) in answers(&angles).into_iter().zip(&angles) {
         let (sine, cosine) = f64::from(*x).sin_cos();
