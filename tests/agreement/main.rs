@@ -7,5 +7,8 @@
 mod band;
 mod compare;
 mod horizon;
+mod penumbra;
 mod relief;
+mod sky;
 mod support;
+mod texels;
