@@ -2,6 +2,7 @@
 
 mod error;
 mod upload;
+mod vertex;
 
 pub use error::UploadError;
 pub use upload::GpuAsset;
