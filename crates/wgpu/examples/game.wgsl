@@ -74,7 +74,7 @@ fn shade_pixel(pixel: Pixel) -> @location(0) vec4<f32> {
     // The sky: what of it the relief leaves open, and how much of that is above the horizon of the world.
     let sky = barchan_sky_irradiance(hit) * (0.6 + 0.4 * bump.z);
 
-    let albedo = mix(vec3<f32>(0.20, 0.09, 0.03), vec3<f32>(0.42, 0.40, 0.16), 1.0 - depth);
+    let albedo = mix(vec3<f32>(0.14, 0.05, 0.02), vec3<f32>(0.24, 0.26, 0.08), 1.0 - depth);
     let gloss = select(0.25 * pow(max(dot(bump, normalize(eye + frame.sun)), 0.0), 40.0), 0.0, is_dark);
     let warm = vec3<f32>(2.4, 2.2, 1.9);
     return vec4<f32>(albedo * (sun * warm + sky * vec3<f32>(0.30, 0.38, 0.50)) + gloss * warm, 1.0);
