@@ -21,6 +21,7 @@ const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 const MESH: &[u8] = include_bytes!("../../../samples/game.ply");
 const VERTEX_BYTES: usize = 48;
 const USAGE: &str = "usage: game ASSET [-o PICTURE.png] [-t SECONDS]";
+const NO_FORMS: &str = "the asset has no fundamental forms; bake it with a mesh that has texture coordinates";
 
 /// All that is drawn, on a device.
 struct Game {
@@ -48,17 +49,15 @@ impl Game {
 
         // The mesh, and the columns of curvature that were baked for it.
         let (mesh, corners) = read_mesh()?;
-        let curvature =
-            plan.curvature().context("the asset has no curvature; one that is baked with its mesh is accepted")?;
+        let curvature = plan.curvature().context("the asset has no curvature; bake it with its mesh")?;
         let (baked, drawn) = (curvature.vertices as usize, mesh.len() / VERTEX_BYTES);
         ensure!(baked == drawn, "the asset is for a mesh of {baked} vertices, the game's has {drawn}");
-        let column = |form| curvature.column(form).zip(asset.column(form).cloned());
-        let ((first, first_form), (second, second_form)) = column(forms[0])
-            .zip(column(forms[1]))
-            .context("the asset has no fundamental forms; one for a mesh with texture coordinates is accepted")?;
-        let buffer =
-            |contents, usage| device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });
+        let column = |form| curvature.column(form).zip(asset.column(form).cloned()).context(NO_FORMS);
+        let ((first, first_form), (second, second_form)) = (column(forms[0])?, column(forms[1])?);
+        let label = None;
+        let buffer = |contents, usage| device.create_buffer_init(&BufferInitDescriptor { label, contents, usage });
         let vertices = [buffer(mesh, BufferUsages::VERTEX), first_form, second_form];
+        let corners = buffer(&corners, BufferUsages::INDEX);
         let frame = buffer(&[0; 96], BufferUsages::UNIFORM | BufferUsages::COPY_DST);
 
         // What Barchan's shader is to do, bound as group 1; the game's own comes behind it, and binds group 0.
@@ -71,14 +70,13 @@ impl Game {
         let uniform = BufferBindingType::Uniform;
         let ty = BindingType::Buffer { ty: uniform, has_dynamic_offset: false, min_binding_size: None };
         let own = BindGroupLayoutEntry { binding: 0, visibility: stages, ty, count: None };
-        let layouts = [vec![own], shader.layout_entries(stages)].map(|entries| {
-            device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: None, entries: &entries })
-        });
+        let layouts = [vec![own], shader.layout_entries(stages)]
+            .map(|entries| device.create_bind_group_layout(&BindGroupLayoutDescriptor { label, entries: &entries }));
         let own = vec![BindGroupEntry { binding: 0, resource: frame.as_entire_binding() }];
         let entries = [own, asset.entries(&shader, None)];
         let groups = [0, 1].map(|group| {
             let (layout, entries) = (&layouts[group], &entries[group]);
-            device.create_bind_group(&BindGroupDescriptor { label: None, layout, entries })
+            device.create_bind_group(&BindGroupDescriptor { label, layout, entries })
         });
 
         // A pipeline like any other; the columns are vertex buffers beside the mesh's own.
@@ -87,16 +85,16 @@ impl Game {
             ..Default::default()
         });
         let attributes = vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32x2];
-        let buffers = [
+        let slots = [
             (VERTEX_BYTES as u64, attributes.as_slice()),
             (first.format.stride().into(), &[first.attribute(4)]),
             (second.format.stride().into(), &[second.attribute(5)]),
         ];
         let step_mode = VertexStepMode::Vertex;
         let buffers =
-            buffers.map(|(array_stride, attributes)| Some(VertexBufferLayout { array_stride, step_mode, attributes }));
+            slots.map(|(array_stride, attributes)| Some(VertexBufferLayout { array_stride, step_mode, attributes }));
         let pipeline = device.create_render_pipeline(&RenderPipelineDescriptor {
-            label: None,
+            label,
             layout: Some(&layout),
             vertex: VertexState {
                 module: &module,
@@ -122,7 +120,6 @@ impl Game {
             multiview_mask: None,
             cache: None,
         });
-        let corners = buffer(&corners, BufferUsages::INDEX);
         Ok(Self { device, queue, pipeline, frame, groups, vertices, corners, form_scales: [first.scale, second.scale] })
     }
 
@@ -180,8 +177,11 @@ fn read_mesh() -> Result<(&'static [u8], Vec<u8>)> {
 }
 
 fn main() -> Result<()> {
+    run(std::env::args().skip(1))
+}
+
+pub(crate) fn run(mut words: impl Iterator<Item = String>) -> Result<()> {
     let (mut asset, mut picture, mut seconds) = (None, None, 0.0);
-    let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         match word.as_str() {
             "-o" => picture = Some(words.next().context(USAGE)?),
@@ -193,7 +193,7 @@ fn main() -> Result<()> {
     let asset = asset.context(USAGE)?;
     let file = std::fs::read(&asset).with_context(|| format!("{asset} cannot be read"))?;
     match picture {
-        Some(path) => output::picture(&file, [960, 640], seconds)?.save(path).context("the picture is not saved"),
+        Some(path) => output::picture(&file, [960, 640], seconds)?.save(path).context("the picture cannot be saved"),
         None => output::window(&file, [960, 640], seconds),
     }
 }
