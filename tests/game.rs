@@ -72,14 +72,19 @@ fn its_sample_is_lit_from_where_the_sun_is() {
 
 #[test]
 fn what_is_missing_in_an_asset_is_said() {
-    let relief = "source: Shape(shape: Ripples(amplitude: 1.0, waves_u: 2, waves_v: 0), width: 16, height: 16), edge: wrap";
+    let relief =
+        "source: Shape(shape: Ripples(amplitude: 1.0, waves_u: 2, waves_v: 0), width: 16, height: 16), edge: wrap";
     let [flat, other] = ["flat", "other"].map(folder);
     let flat = baked(&flat, &format!("({relief})"));
     assert_eq!(refusal(&[&flat, "-o", "never.png"]), "the asset has no curvature; bake it with its mesh");
-    let torus = "mesh: (surface: Torus(major: 20.0, minor: 7.0), vertices: 100, pattern: Regular(aspect: 1.0), uv_seam: true)";
+    let torus =
+        "mesh: (surface: Torus(major: 20.0, minor: 7.0), vertices: 100, pattern: Regular(aspect: 1.0), uv_seam: true)";
     let other = baked(&other, &format!("({relief}, {torus})"));
     let said = refusal(&[&other, "-o", "never.png"]);
-    assert!(said.starts_with("the asset is for a mesh of ") && said.ends_with(" vertices, the game's has 4181"), "{said}");
+    assert!(
+        said.starts_with("the asset is for a mesh of ") && said.ends_with(" vertices, the game's has 4181"),
+        "{said}"
+    );
 }
 
 #[test]
