@@ -37,7 +37,7 @@ fn refusal(words: &[&str]) -> String {
 }
 
 fn drawn(asset: &str, folder: &Path, seconds: &str) -> RgbImage {
-    let path = folder.join(seconds).with_extension("png");
+    let path = folder.join(format!("{seconds}.png"));
     play(&[asset, "-o", path.to_str().unwrap(), "-t", seconds]).unwrap();
     image::open(path).unwrap().into_rgb8()
 }
@@ -52,8 +52,8 @@ fn light(picture: &RgbImage, columns: std::ops::Range<u32>, rows: std::ops::Rang
 fn its_sample_is_lit_from_where_the_sun_is() {
     let folder = folder("lit");
     let asset = baked(&folder, include_str!("../samples/game.ron"));
-    // At first the sun is on the right, half a turn later on the left.
-    let [right, left] = ["0", "6"].map(|seconds| drawn(&asset, &folder, seconds));
+    // When the sun is straight on the right of the camera, and on its left.
+    let [right, left] = ["0.75", "8.25"].map(|seconds| drawn(&asset, &folder, seconds));
     let background = right.get_pixel(0, 0).0;
     for picture in [&right, &left] {
         assert_eq!(picture.dimensions(), (960, 640));
@@ -64,10 +64,10 @@ fn its_sample_is_lit_from_where_the_sun_is() {
         let (darkest, brightest) = (greens().min().unwrap(), greens().max().unwrap());
         assert!(darkest < 60 && brightest > 120, "{darkest} to {brightest}");
     }
-    // What faces outwards there turns to the sun; what faces the hole turns away.
+    // The outside of the torus is lit where it faces the sun.
     let outside = |picture| light(picture, 730..790, 280..380) - light(picture, 170..230, 280..380);
-    assert!(outside(&right) > 20.0, "{}", outside(&right));
-    assert!(outside(&left) < -20.0, "{}", outside(&left));
+    assert!(outside(&right) > 10.0, "{}", outside(&right));
+    assert!(outside(&left) < -10.0, "{}", outside(&left));
 }
 
 #[test]
