@@ -115,7 +115,7 @@ impl Shown {
             CurrentSurfaceTexture::Outdated => self.resize(self.window.inner_size()),
             // Nobody sees it.
             CurrentSurfaceTexture::Timeout | CurrentSurfaceTexture::Occluded => {
-                std::thread::sleep(Duration::from_millis(50))
+                std::thread::sleep(Duration::from_millis(50));
             }
             CurrentSurfaceTexture::Lost | CurrentSurfaceTexture::Validation => bail!("the window is lost"),
         }
