@@ -40,6 +40,9 @@ const GALLERY: [Picture; 11] = [
 /// How the bust is drawn: from the front, a little to one side.
 const BUST: &str = "--format png --view 30,-5 --size 640";
 
+/// What the example game is told, from the root.
+const GAME: &str = "target/samples/game.barchan -t 1.5 -o samples/gallery/game.png";
+
 /// Draws `samples/gallery/*.png`; baked files go under `target/samples`.
 pub(crate) fn samples() -> Result<()> {
     cargo("build --release")?;
@@ -61,7 +64,9 @@ pub(crate) fn samples() -> Result<()> {
     let (asset, mesh) = (baked.join("demosthenes.barchan"), root().join("samples/demosthenes.ply"));
     let bust = gallery.join("demosthenes_curvature.png");
     barchan(&program, &[&"dump", &asset, &"curvature", &"--mesh", &mesh, &"-o", &bust], BUST)?;
-    println!("{} pictures in {}", GALLERY.len() + 1, gallery.display());
+    // What a game draws of its asset.
+    cargo(&format!("run --release --quiet -p barchan-wgpu --example game -- {GAME}"))?;
+    println!("{} pictures in {}", GALLERY.len() + 2, gallery.display());
     // Curved surfaces are no part of a recipe: the study has them.
     cargo("run --release --quiet -p barchan-study --example study -- pictures")
 }
