@@ -193,7 +193,14 @@ fn relief_parts(search: ReliefSearch, has: &dyn Fn(Semantic) -> bool) -> Vec<&'s
         ReliefSearch::RelaxedConeSteps { .. } => include_str!("wgsl/relief_relaxed_cones.wgsl"),
         ReliefSearch::MaximumMip => include_str!("wgsl/relief_maximum_mip.wgsl"),
     };
-    vec![include_str!("wgsl/relief.wgsl"), start, search, include_str!("wgsl/relief_find.wgsl")]
+    vec![
+        // Relief lies on something: directions of space come to it through a tangent frame.
+        include_str!("wgsl/tangent.wgsl"),
+        include_str!("wgsl/relief.wgsl"),
+        start,
+        search,
+        include_str!("wgsl/relief_find.wgsl"),
+    ]
 }
 
 /// Techniques that go together.
