@@ -102,7 +102,7 @@ struct Scene<'a> {
 
 impl<'a> Scene<'a> {
     fn look(&self, road: &ReliefRoad<'_>) -> ReliefPixels<'a> {
-        ReliefPixels::new(&self.stage.camera, &*self.stage.base, &self.relief, road)
+        ReliefPixels::new(&self.stage.camera, self.stage.base.surface(), &self.relief, road)
     }
 
     /// How often each pixel reads, by the baseline and as chosen.
