@@ -221,17 +221,21 @@ impl Ground {
     }
 }
 
-fn bilinear([upper_left, upper_right, lower_left, lower_right]: [f64; 4], (right, down): (f64, f64)) -> f64 {
+pub(crate) fn bilinear([upper_left, upper_right, lower_left, lower_right]: [f64; 4], (right, down): (f64, f64)) -> f64 {
     let upper = upper_left + (upper_right - upper_left) * right;
     let lower = lower_left + (lower_right - lower_left) * right;
     upper + (lower - upper) * down
 }
 
-fn check(fits: bool, table: &'static str) -> Result<(), MismatchedTables> {
+pub(crate) fn check(fits: bool, table: &'static str) -> Result<(), MismatchedTables> {
     if fits { Ok(()) } else { Err(MismatchedTables(table)) }
 }
 
-fn check_fits(horizon: &TableView<'_>, other: &TableView<'_>, name: &'static str) -> Result<(), MismatchedTables> {
+pub(crate) fn check_fits(
+    horizon: &TableView<'_>,
+    other: &TableView<'_>,
+    name: &'static str,
+) -> Result<(), MismatchedTables> {
     let (a, b) = (horizon.descriptor(), other.descriptor());
     let same = (a.width, a.height, a.spacing_u, a.spacing_v) == (b.width, b.height, b.spacing_u, b.spacing_v);
     check(same && (a.wrap_u, a.wrap_v, a.length_unit) == (b.wrap_u, b.wrap_v, b.length_unit), name)

@@ -25,7 +25,11 @@ impl<'a> TracedShadow<'a> {
     /// Rays look `radius` far along the base plane, in the surface's length unit.
     #[must_use]
     pub fn new(surface: &'a Surface, light: &DirectionalLight, radius: f64) -> Self {
-        let (low, high) = surface.heights().range();
+        Self::within(surface, surface.heights().range(), light, radius)
+    }
+
+    /// The same, with the lowest and the highest height given.
+    pub(crate) fn within(surface: &'a Surface, (low, high): (f32, f32), light: &DirectionalLight, radius: f64) -> Self {
         let (sin, cos) = libm::sincos(light.azimuth_radians);
         let (spacing_u, spacing_v) = surface.spacing();
         Self {

@@ -9,6 +9,8 @@ use barchan_shade::{
 };
 
 use super::relief_report::{Comparison, Cost, Heat, Report, Sun};
+#[cfg(feature = "gpu")]
+use super::gpu;
 use super::{GAP_PIXELS, agreement_colour, search};
 use crate::args::{BaseName, ProgressStyleName, RenderArguments, SearchName, StartName};
 use crate::asset_file::AssetFile;
@@ -55,6 +57,11 @@ pub(super) fn run(
         occlusion: depth_map.as_ref(),
         display: &display,
     };
+    #[cfg(feature = "gpu")]
+    if arguments.gpu {
+        let by_cpu = || scene.lit(&scene.look(&scene.road), &mut Report::default());
+        return gpu::run(file, arguments, &gpu::Scene::Relief(scene.of_gpu(name)), by_cpu, json);
+    }
     let seen = scene.look(&scene.road);
     let mut report = Report::new(arguments, eye, &seen, (name, start.is_some()));
     let picture = match () {
@@ -103,6 +110,19 @@ struct Scene<'a> {
 impl<'a> Scene<'a> {
     fn look(&self, road: &ReliefRoad<'_>) -> ReliefPixels<'a> {
         ReliefPixels::new(&self.stage.camera, self.stage.base.surface(), &self.relief, road)
+    }
+
+    /// What the GPU needs to know.
+    #[cfg(feature = "gpu")]
+    fn of_gpu(&self, search: SearchName) -> gpu::ReliefScene<'_> {
+        gpu::ReliefScene {
+            stage: &self.stage,
+            search,
+            from_map: self.road.depth_map.is_some(),
+            sun: (!self.arguments.ambient).then(|| self.sun()),
+            occlusion: self.occlusion.map(|_| occlusion_directions()),
+            palette: self.palette(),
+        }
     }
 
     /// How often each pixel reads, by the baseline and as chosen.
@@ -162,7 +182,7 @@ impl<'a> Scene<'a> {
         match self.arguments.view.on {
             _ if self.arguments.ambient => Palette::OVERCAST_SAND,
             // As pictures from above: level ground in the sun is as bright at dawn as at noon.
-            BaseName::Plane => Palette { sun: sand.sun / self.sun().towards.z.max(0.12), ..sand },
+            BaseName::Plane => sand.exposed_for(&self.sun()),
             BaseName::Sphere => sand,
         }
     }
@@ -183,14 +203,19 @@ impl<'a> Scene<'a> {
     fn occlusion(&self, seen: &ReliefPixels<'_>) -> Option<Vec<f64>> {
         let road = ReliefRoad { depth_map: Some(self.occlusion?), search: self.road.search };
         let shadow = ReliefShadow { relief: self.relief, road, tolerance: SHADOW_TOLERANCE };
-        let (rings, azimuths) = OCCLUSION_DIRECTIONS;
-        let occlusion = HemisphereOcclusion::of_rays(HemisphereQuadrature::even(rings, azimuths), shadow);
+        let occlusion = HemisphereOcclusion::of_rays(occlusion_directions(), shadow);
         let mut rows = Rows::new(self.display, "occlusion", seen);
         Some(seen.map(&0.0, |pixel| {
             rows.step();
             seen.occlusion(pixel, &occlusion).share
         }))
     }
+}
+
+/// Where the sky is looked for.
+fn occlusion_directions() -> HemisphereQuadrature {
+    let (rings, azimuths) = OCCLUSION_DIRECTIONS;
+    HemisphereQuadrature::even(rings, azimuths)
 }
 
 /// Shows that work goes on, a row of pixels at a time.
