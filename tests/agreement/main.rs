@@ -4,5 +4,7 @@
 //! difference as pictures in `target/agreement/`. A machine without a GPU, not even a software one, fails every test; the message
 //! names what installs one.
 
+mod band;
 mod compare;
+mod horizon;
 mod support;
