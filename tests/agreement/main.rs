@@ -7,4 +7,6 @@
 mod band;
 mod compare;
 mod horizon;
+mod penumbra;
+mod pictures;
 mod support;

@@ -8,9 +8,9 @@ use barchan_shade::{
     ReliefPixels, ReliefRoad, ReliefShadow, ReliefStage, SHADOW_TOLERANCE, StageEye, Surface, TracedRelief, heat_map,
 };
 
-use super::relief_report::{Comparison, Cost, Heat, Report, Sun};
 #[cfg(feature = "gpu")]
 use super::gpu;
+use super::relief_report::{Comparison, Cost, Heat, Report, Sun};
 use super::{GAP_PIXELS, agreement_colour, search};
 use crate::args::{BaseName, ProgressStyleName, RenderArguments, SearchName, StartName};
 use crate::asset_file::AssetFile;

@@ -84,7 +84,8 @@ impl Report {
         let has_sun = !matches!(scene, Scene::Overcast { .. } | Scene::Relief(super::ReliefScene { sun: None, .. }));
         let relief = |scene: &super::ReliefScene<'_>| {
             let (eye_azimuth_degrees, eye_elevation_degrees) = arguments.view.eye().unwrap_or_default();
-            let fetches = |pixel: &GpuPixel| Fetches { heights: pixel.fetches.0.into(), tables: pixel.fetches.1.into() };
+            let fetches =
+                |pixel: &GpuPixel| Fetches { heights: pixel.fetches.0.into(), tables: pixel.fetches.1.into() };
             Relief {
                 base: match arguments.view.on {
                     BaseName::Plane => "plane",

@@ -4,9 +4,7 @@ use barchan_pipeline::Table;
 use barchan_shade::{
     BACKGROUND, DirectionalLight, HemisphereQuadrature, Palette, Pixels, ReliefStage, SHADOW_TOLERANCE, StageBase,
 };
-use barchan_view::{
-    Canvas, GpuError, GpuPicture, PictureBase, PictureLight, ReliefView, SkyDirection, TopView,
-};
+use barchan_view::{Canvas, GpuError, GpuPicture, PictureBase, PictureLight, ReliefView, SkyDirection, TopView};
 use barchan_wgpu::ReliefSearch;
 
 use crate::args::SearchName;
@@ -55,9 +53,7 @@ impl Scene<'_> {
             Self::Sunlit { pixels, light, palette } => {
                 canvas.sunlit(&top_view(pixels), &picture_light(&palette.exposed_for(light), Some(light)))
             }
-            Self::Overcast { pixels, palette, .. } => {
-                canvas.overcast(&top_view(pixels), &picture_light(palette, None))
-            }
+            Self::Overcast { pixels, palette, .. } => canvas.overcast(&top_view(pixels), &picture_light(palette, None)),
             Self::Relief(scene) => scene.draw(canvas),
         }
     }
