@@ -111,8 +111,7 @@ fn a_picture_of_many_tiles_is_one_picture() {
     let coarse = Pixels::over(&surface, 16);
     let (across, down) = (whole.size.0 / 3, whole.size.1 / 3);
     let texels = [3.0 * coarse.texels().0 as f32, 3.0 * coarse.texels().1 as f32];
-    let found =
-        canvas(&loaded, Sampling::Loaded).sunlit(&TopView { size: (across, down), texels }, &light).unwrap();
+    let found = canvas(&loaded, Sampling::Loaded).sunlit(&TopView { size: (across, down), texels }, &light).unwrap();
     let middles = (0..down).flat_map(|row| (0..across).map(move |column| (3 * row + 1, 3 * column + 1)));
     let expected: Vec<f64> = middles
         .map(|(row, column)| f64::from(whole.rgb[3 * (row as usize * whole.size.0 as usize + column as usize)]))

@@ -22,7 +22,7 @@ use crate::png;
 use report::{Comparison, Report};
 
 /// Differences from here on, of 255, have the last colour.
-const DIFFERENCE_SCALE_END: u8 = 8;
+const DIFFERENCE_SCALE_END: u8 = 4;
 
 /// Draws a scene by the GPU; with `--compare` beside it what `by_cpu` draws, and how the two differ.
 pub(super) fn run(
