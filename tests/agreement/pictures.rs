@@ -4,6 +4,7 @@
 //! at the edges of shadows and where a ray of relief just meets or misses a ridge: a stated share of the pixels.
 
 use barchan_asset::{BentNormalView, HeightView, HorizonView, Semantic, SkyVisibilityView};
+use barchan_field::shapes::FractalTerrain;
 use barchan_field::{Edge, Shape};
 use barchan_pipeline::{Table, TableEncoding};
 use barchan_shade::{
@@ -20,7 +21,8 @@ const EDGES: [Edge; 2] = [Edge::Wrap, Edge::Clamp];
 
 /// Relief with heights and slopes of all sizes, on texels that are not square.
 fn terrain(edge: Edge, tables: &[Table]) -> Loaded {
-    let shape = Shape::FractalTerrain { height: 9.0, hurst: 0.8, features_across: 3, octaves: 5, seed: 1 };
+    let shape =
+        Shape::FractalTerrain(FractalTerrain { height: 9.0, hurst: 0.8, features_across: 3, octaves: 5, seed: 1 });
     Loaded::baked(recipe(shape, (64, 48), edge, TableEncoding::F32), tables)
 }
 

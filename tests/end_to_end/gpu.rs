@@ -74,12 +74,10 @@ mod with_a_gpu {
     #[test]
     fn from_a_side_it_is_what_the_cpu_draws() {
         let place = baked();
-        for flags in ["--azimuth 200 --size 48", "--ambient --size 48", "--on sphere --tiles 6 --size 48"] {
-            let report = agrees(&place, &format!("--eye-elevation 35 {flags}"), 0.01);
-            assert_eq!(
-                (&report["relief"]["search"], &report["relief"]["start"]),
-                (&"maximum_mip".into(), &"depth_map".into())
-            );
+        for flags in ["35 --azimuth 200", "35 --ambient", "3 --search linear --start top", "35 --on sphere --tiles 6"] {
+            let report = agrees(&place, &format!("--size 48 --eye-elevation {flags}"), 0.01);
+            let from_top = flags.contains("top");
+            assert_eq!(report["relief"]["start"], if from_top { "top" } else { "depth_map" });
             assert!(number(&report, "/relief/mean_occlusion") > 0.01, "{report}");
             assert_eq!(report["sun"].is_null(), flags.contains("--ambient"), "{report}");
         }

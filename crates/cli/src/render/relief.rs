@@ -54,7 +54,7 @@ pub(super) fn run(
         relief,
         stage: stage(file, arguments, eye, &surface)?,
         road: ReliefRoad { depth_map: start, search: &*search },
-        occlusion: depth_map.as_ref(),
+        has_hemisphere: depth_map.is_some(),
         display: &display,
     };
     #[cfg(feature = "gpu")]
@@ -102,8 +102,8 @@ struct Scene<'a> {
     relief: Relief<'a>,
     stage: ReliefStage,
     road: ReliefRoad<'a>,
-    /// What the sky's light is dimmed by.
-    occlusion: Option<&'a DepthMapStart<'a>>,
+    /// Whether the sky's light is dimmed: without depth maps that takes long.
+    has_hemisphere: bool,
     display: &'a ProgressDisplay,
 }
 
@@ -120,7 +120,7 @@ impl<'a> Scene<'a> {
             search,
             from_map: self.road.depth_map.is_some(),
             sun: (!self.arguments.ambient).then(|| self.sun()),
-            occlusion: self.occlusion.map(|_| occlusion_directions()),
+            occlusion: self.has_hemisphere.then(occlusion_directions),
             palette: self.palette(),
         }
     }
@@ -199,10 +199,12 @@ impl<'a> Scene<'a> {
         answers.iter().map(|answer| answer.is_some_and(|answer| answer.in_shadow)).collect()
     }
 
-    /// What part of the sky's light every pixel lacks, where a depth map can tell.
+    /// What part of the sky's light every pixel lacks, where there is a depth map.
     fn occlusion(&self, seen: &ReliefPixels<'_>) -> Option<Vec<f64>> {
-        let road = ReliefRoad { depth_map: Some(self.occlusion?), search: self.road.search };
-        let shadow = ReliefShadow { relief: self.relief, road, tolerance: SHADOW_TOLERANCE };
+        if !self.has_hemisphere {
+            return None;
+        }
+        let shadow = ReliefShadow { relief: self.relief, road: self.road, tolerance: SHADOW_TOLERANCE };
         let occlusion = HemisphereOcclusion::of_rays(occlusion_directions(), shadow);
         let mut rows = Rows::new(self.display, "occlusion", seen);
         Some(seen.map(&0.0, |pixel| {

@@ -102,9 +102,11 @@ impl StageEye {
     /// A camera that sees so much length across and down.
     fn camera(&self, target: DVec3, view: DVec2) -> Camera {
         let (towards, _, up) = self.axes();
+        // An eye above the plane z = 0 is above it in the lowest row of the picture, too.
+        let lowest = if towards.z > 0.0 { 0.5 * view.y * up.z / towards.z } else { 0.0 };
         let pixels = |length: f64| (f64::from(self.size) * length / view.max_element()).round().max(1.0) as u32;
         Camera {
-            eye: target + towards * (4.0 * view.element_sum()),
+            eye: target + towards * lowest.max(4.0 * view.element_sum()),
             target,
             up,
             lens: Lens::Orthographic { height: view.y },
