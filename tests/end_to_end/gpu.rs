@@ -122,6 +122,18 @@ mod with_a_gpu {
         assert_eq!(number(&report, "/comparison/largest_difference"), f64::from(largest));
     }
 
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn without_a_gpu_the_message_says_what_installs_one() {
+        let place = baked();
+        // The loader of Vulkan looks for drivers where this says, and finds none.
+        let run =
+            place.shell("VK_DRIVER_FILES=none VK_ICD_FILENAMES=none $BARCHAN render out.barchan --gpu -o lit.png");
+        assert_eq!((run.code, run.stdout.as_str()), (Some(4), ""));
+        assert!(run.stderr.contains("apt-get install -y mesa-vulkan-drivers libvulkan1"), "{}", run.stderr);
+        assert!(!place.path("lit.png").exists());
+    }
+
     #[test]
     fn a_bad_file_is_refused_as_elsewhere() {
         let place = Place::with("recipe.ron", TILE);

@@ -18,6 +18,8 @@ pub(crate) fn test() -> Result<()> {
     cargo_with("doc --workspace --no-deps --all-features", &[("RUSTDOCFLAGS", "-D warnings")])?;
     // Unit, property, golden and end-to-end tests, and the examples in the documentation.
     cargo("test --workspace --all-features")?;
+    // The program as it is built by default, without a GPU.
+    cargo("test -p barchan-cli --test end_to_end gpu")?;
     println!("\neverything holds, after {:.0} s", start.elapsed().as_secs_f64());
     Ok(())
 }

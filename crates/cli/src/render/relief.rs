@@ -4,8 +4,8 @@ use barchan_asset::HeightView;
 use barchan_metrics::{MaskDisagreement, false_colour};
 use barchan_pipeline::Table;
 use barchan_shade::{
-    DepthMapStart, DirectionalLight, HemisphereOcclusion, HemisphereQuadrature, Palette, Picture, Relief, ReliefLight,
-    ReliefPixels, ReliefRoad, ReliefShadow, ReliefStage, SHADOW_TOLERANCE, StageEye, Surface, TracedRelief, heat_map,
+    DirectionalLight, HemisphereOcclusion, HemisphereQuadrature, Palette, Picture, Relief, ReliefLight, ReliefPixels,
+    ReliefRoad, ReliefShadow, ReliefStage, SHADOW_TOLERANCE, StageEye, Surface, TracedRelief, heat_map,
 };
 
 #[cfg(feature = "gpu")]
