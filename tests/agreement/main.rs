@@ -6,7 +6,12 @@
 
 mod band;
 mod compare;
+mod curved;
+mod functions;
 mod horizon;
 mod penumbra;
 mod pictures;
+mod relief;
+mod sky;
 mod support;
+mod texels;

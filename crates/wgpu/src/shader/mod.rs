@@ -20,14 +20,15 @@
 //! Vulkan promises little of sines and arcsines in a shader (2⁻¹¹ and 4096 ulp), so `functions.wgsl` has its own.
 
 mod access;
+mod alike;
 mod technique;
 
 use std::fmt;
 
 use barchan_asset::Semantic;
 
-use crate::{Shape, UploadPlan};
-pub use technique::{ReliefSearch, SEARCH_STEPS, Technique};
+use crate::{Shape, TexturePlan, UploadPlan};
+pub use technique::{ReliefSearch, SEARCH_BISECTIONS, SEARCH_STEPS, Technique};
 
 /// How a shader interpolates between texels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -101,15 +102,32 @@ pub enum ComposeError {
         /// Which table.
         table: Semantic,
     },
+    /// Two tables of a technique do not lie alike, so that one place and one azimuth cannot stand for both: in the file, or because other
+    /// parts of them were selected.
+    Unlike {
+        /// Which technique.
+        technique: Technique,
+        /// One of them.
+        table: Semantic,
+        /// The other.
+        other: Semantic,
+        /// What differs.
+        field: &'static str,
+    },
     /// Shadows of relief need a technique that finds relief.
     NoSearch,
     /// There is one way to find relief in a shader.
-    TwoSearches,
+    TwoSearches {
+        /// One that was named.
+        first: Technique,
+        /// Another one.
+        second: Technique,
+    },
 }
 
 impl Shader {
     /// Bytes of the uniform buffer of probes.
-    pub const PROBE_BYTES: usize = 128;
+    pub const PROBE_BYTES: usize = 112;
 
     /// The binding number of the uniform buffer of probes.
     pub const PROBE_BINDING: u32 = 14;
@@ -120,49 +138,33 @@ impl Shader {
     /// A technique whose tables are not in the plan, or techniques that do not go together.
     pub fn compose(plan: &UploadPlan, techniques: &[Technique], options: &ShaderOptions) -> Result<Self, ComposeError> {
         technique::check(techniques)?;
-        let mut tables: Vec<Semantic> = Vec::new();
-        let mut parts: Vec<&'static str> = vec![include_str!("wgsl/functions.wgsl"), include_str!("wgsl/table.wgsl")];
-        for technique in techniques {
-            for table in technique.tables(plan)? {
-                if !tables.contains(&table) {
-                    tables.push(table);
-                }
-            }
-        }
-        tables.sort_by_key(|table| table.number());
-        let has = |table| tables.contains(&table);
-        for part in techniques.iter().flat_map(|technique| technique.parts(&has, options.probes)) {
-            if !parts.contains(&part) {
-                parts.push(part);
-            }
-        }
+        let tables = technique::tables(techniques, plan)?;
+        let parts = technique::parts(techniques, &tables, options.probes);
         let textures: Vec<_> = tables.iter().filter_map(|&table| plan.texture(table)).collect();
-        let is_filtered =
-            |texture: &&crate::TexturePlan| options.sampling == Sampling::Filtered && texture.is_filterable;
-        let (shared, of_techniques) = parts.split_at(2);
-        let mut source = shared.join("\n");
-        let mut bindings = vec![BindingKind::Parameters];
-        if textures.iter().any(is_filtered) {
+        let interpolations: Vec<_> = textures.iter().map(|texture| interpolation(texture, &parts, options)).collect();
+        let mut kinds = vec![BindingKind::Parameters];
+        let mut source = [include_str!("wgsl/functions.wgsl"), include_str!("wgsl/table.wgsl")].join("\n");
+        if interpolations.contains(&Some(Sampling::Filtered)) {
+            kinds.push(BindingKind::Sampler);
             source += access::SAMPLER;
-            bindings.push(BindingKind::Sampler);
         }
-        for texture in &textures {
-            let kind =
-                BindingKind::Texture { table: texture.table, shape: texture.shape, is_filtered: is_filtered(texture) };
-            source += &access::of_table(texture, is_filtered(texture));
-            bindings.push(kind);
+        for (texture, interpolation) in textures.into_iter().zip(interpolations) {
+            let is_filtered = interpolation == Some(Sampling::Filtered);
+            kinds.push(BindingKind::Texture { table: texture.table, shape: texture.shape, is_filtered });
+            source += &access::of_table(texture, interpolation);
         }
         source += &technique::constants(techniques);
-        for part in of_techniques {
+        for part in parts {
             source += "\n";
             source += part;
         }
         if options.probes {
-            bindings.push(BindingKind::Probe);
+            kinds.push(BindingKind::Probe);
         }
         let group = options.group;
+        // No part has another group, nor a comment that names one.
         let source = source.replace("@group(0)", &format!("@group({group})"));
-        let bindings = bindings.into_iter().map(|kind| Binding { group, binding: kind.number(), kind }).collect();
+        let bindings = kinds.into_iter().map(|kind| Binding { group, binding: kind.number(), kind }).collect();
         Ok(Self { source, bindings })
     }
 
@@ -177,6 +179,14 @@ impl Shader {
     pub fn bindings(&self) -> &[Binding] {
         &self.bindings
     }
+}
+
+/// How the parts interpolate between texels of a table, if they do.
+fn interpolation(texture: &TexturePlan, parts: &[&str], options: &ShaderOptions) -> Option<Sampling> {
+    let called = format!("barchan_{}_at(", texture.table.kind().name().unwrap_or_default());
+    let is_asked = parts.iter().any(|part| part.contains(&called));
+    let sampling = if texture.is_filterable { options.sampling } else { Sampling::Loaded };
+    is_asked.then_some(sampling)
 }
 
 impl BindingKind {
@@ -196,10 +206,20 @@ impl fmt::Display for ComposeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Missing { technique, table } => {
-                write!(f, "{} needs the table {}, which is not loaded", technique.name(), table.kind())
+                let table = table.kind().name().unwrap_or_default();
+                write!(f, "{} needs the table {table}, which is not loaded", technique.name())
             }
+            Self::Unlike { technique, table, other, field } => write!(
+                f,
+                "{} needs the same {field} of the tables {} and {}; theirs differ",
+                technique.name(),
+                table.kind(),
+                other.kind()
+            ),
             Self::NoSearch => write!(f, "relief shadow needs a way to find relief; name a relief technique beside it"),
-            Self::TwoSearches => write!(f, "two ways to find relief are named; one is accepted"),
+            Self::TwoSearches { first, second } => {
+                write!(f, "{} and {} are both named; a shader finds relief in one way", first.name(), second.name())
+            }
         }
     }
 }

@@ -2,7 +2,8 @@
 //
 // Polynomials: Stephen Moshier, Cephes mathematical library, 1989.
 
-// The angle of a sine, within ±π/2.
+// The angle of a sine. The arc of 1 is the f32 just below π/2, the greatest elevation of the format: that just above has a negative
+// cosine, and would shade the zenith.
 fn barchan_arcsine(sine: f32) -> f32 {
     let size = min(abs(sine), 1.0);
     // Beyond ½ the half-angle: asin s = π/2 − 2 asin √((1 − s) / 2).
