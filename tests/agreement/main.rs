@@ -10,6 +10,7 @@ mod curved;
 mod functions;
 mod horizon;
 mod penumbra;
+mod pictures;
 mod relief;
 mod sky;
 mod support;

@@ -15,7 +15,7 @@ struct Picture {
     options: &'static str,
 }
 
-const GALLERY: [Picture; 11] = [
+const GALLERY: [Picture; 14] = [
     Picture { name: "dunes", recipe: "dunes", options: "--azimuth 150 --elevation 14 --scale 2" },
     Picture { name: "dunes_dusk", recipe: "dunes", options: "--azimuth 150 --elevation 6" },
     Picture { name: "jacksboro", recipe: "jacksboro", options: "--azimuth 135 --elevation 10" },
@@ -35,6 +35,18 @@ const GALLERY: [Picture; 11] = [
         recipe: "relief",
         options: "--eye-elevation 20 --on sphere --azimuth 220 --elevation 30",
     },
+    // CPU, GPU and difference; without a GPU, not even a software one, the program says what installs one.
+    Picture { name: "gpu_dunes", recipe: "dunes", options: "--azimuth 150 --elevation 5 --gpu --compare" },
+    Picture {
+        name: "gpu_relief",
+        recipe: "relief",
+        options: "--eye-azimuth 250 --eye-elevation 40 --azimuth 190 --elevation 30 --tiles 1 --size 400 --gpu --compare",
+    },
+    Picture {
+        name: "gpu_ball",
+        recipe: "relief",
+        options: "--eye-elevation 20 --on sphere --azimuth 220 --elevation 30 --size 320 --gpu --compare",
+    },
 ];
 
 /// How the bust is drawn: from the front, a little to one side.
@@ -45,7 +57,7 @@ const GAME: &str = "target/samples/game.barchan -t 1.5 -o samples/gallery/game.p
 
 /// Draws `samples/gallery/*.png`; baked files go under `target/samples`.
 pub(crate) fn samples() -> Result<()> {
-    cargo("build --release")?;
+    cargo("build --release --features gpu")?;
     let program = program()?;
     let baked = root().join("target/samples");
     let gallery = root().join("samples/gallery");
