@@ -628,13 +628,35 @@ float barchan_curved_texel(
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
+    float elevation = 0.0;
+    int side = 0;
     float _e4 = barchan_height_texel(texel_2, 0, barchan_tables, barchan_height_texels);
-    float _e6 = barchan_curved_towards(ground_3, texel_2, _e4, beside.first, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
-    if (beside.weight == 0.0) {
-        return _e6;
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            int _e33 = side;
+            side = as_type<int>(as_type<uint>(_e33) + as_type<uint>(1));
+        }
+        loop_init_1 = false;
+        int _e9 = side;
+        if (_e9 < 2) {
+        } else {
+            break;
+        }
+        {
+            int _e16 = side;
+            float weight_1 = (_e16 == 1) ? beside.weight : (1.0 - beside.weight);
+            if (weight_1 != 0.0) {
+                int _e24 = side;
+                int azimuth_3 = (_e24 == 1) ? beside.second : beside.first;
+                float _e28 = elevation;
+                float _e29 = barchan_curved_towards(ground_3, texel_2, _e4, azimuth_3, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
+                elevation = _e28 + (weight_1 * _e29);
+            }
+        }
     }
-    float _e11 = barchan_curved_towards(ground_3, texel_2, _e4, beside.second, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
-    return metal::mix(_e6, _e11, beside.weight);
+    float _e35 = elevation;
+    return _e35;
 }
 
 float barchan_curved_elevation(
@@ -646,33 +668,59 @@ float barchan_curved_elevation(
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
+    float elevation_1 = 0.0;
+    int tap = 0;
     float _e7 = barchan_tables.inner[0].least;
     BarchanGround _e8 = barchan_ground(curvature_1, light.stretch, _e7);
     BarchanNeighbours _e11 = barchan_neighbours(BARCHAN_HORIZON, light.azimuth, barchan_tables);
     metal::float2 corner = metal::floor(place_7);
-    metal::int2 texel_3 = naga_f2i32(corner);
     metal::float2 part_1 = place_7 - corner;
-    float _e15 = barchan_curved_texel(_e8, texel_3, _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    float _e20 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(texel_3) + as_type<metal::uint2>(metal::int2(1, 0))), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    float _e25 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(texel_3) + as_type<metal::uint2>(metal::int2(0, 1))), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    float _e30 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(texel_3) + as_type<metal::uint2>(metal::int2(1, 1))), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    float upper = metal::mix(_e15, _e20, part_1.x);
-    float lower = metal::mix(_e25, _e30, part_1.x);
-    return metal::clamp(metal::mix(upper, lower, part_1.y), -1.5707963, BARCHAN_GREATEST_ELEVATION);
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            int _e45 = tap;
+            tap = as_type<int>(as_type<uint>(_e45) + as_type<uint>(1));
+        }
+        loop_init_2 = false;
+        int _e18 = tap;
+        if (_e18 < 4) {
+        } else {
+            break;
+        }
+        {
+            int _e21 = tap;
+            int _e24 = tap;
+            metal::int2 offset_1 = metal::int2(_e21 & 1, _e24 >> 1u);
+            metal::float2 weights = metal::select(metal::float2(1.0) - part_1, part_1, offset_1 == metal::int2(1));
+            float _e35 = elevation_1;
+            float _e41 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner)) + as_type<metal::uint2>(offset_1)), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
+            elevation_1 = _e35 + ((weights.x * weights.y) * _e41);
+        }
+    }
+    float _e47 = elevation_1;
+    return metal::clamp(_e47, -1.5707963, BARCHAN_GREATEST_ELEVATION);
+}
+
+bool barchan_is_below(
+    BarchanTangentLight light_1,
+    float elevation_2
+) {
+    metal::float2 _e2 = barchan_sine_cosine(elevation_2);
+    return (light_1.height * _e2.y) < (light_1.level * _e2.x);
 }
 
 bool barchan_curved_in_shadow(
     metal::float2 place_8,
-    BarchanTangentLight light_1,
+    BarchanTangentLight light_2,
     float curvature_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_height_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
-    float _e3 = barchan_curved_elevation(place_8, light_1, curvature_2, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    metal::float2 _e4 = barchan_sine_cosine(_e3);
-    return (light_1.height * _e4.y) < (light_1.level * _e4.x);
+    float _e3 = barchan_curved_elevation(place_8, light_2, curvature_2, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
+    bool _e4 = barchan_is_below(light_2, _e3);
+    return _e4;
 }
 
 metal::float2 barchan_probe_place(
@@ -722,6 +770,6 @@ fragment barchan_probe_curvedOutput barchan_probe_curved(
     metal::float3 _e30 = barchan_probe.second_form;
     float _e32 = barchan_curvature_along(_e27, _e30, _e24.direction);
     float _e33 = barchan_curved_elevation(_e1, _e24, _e32, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    bool _e34 = barchan_curved_in_shadow(_e1, _e24, _e32, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
+    bool _e34 = barchan_is_below(_e24, _e33);
     return barchan_probe_curvedOutput { metal::float4(_e33, _e34 ? 1.0 : 0.0, _e32, _e24.azimuth) };
 }

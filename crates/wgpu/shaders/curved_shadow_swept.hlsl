@@ -482,8 +482,9 @@ float barchan_curvature_along(float3 first_1, float3 second_1, float2 direction_
 
 int barchan_points()
 {
-    uint _e3 = barchan_tables[3].candidates;
-    return asint(asuint(int(1)) + asuint(int(min(_e3, 7u))));
+    uint elevations = barchan_tables[3].candidates;
+    uint distances = barchan_tables[4].candidates;
+    return asint(asuint(int(1)) + asuint(int(min(min(elevations, distances), 7u))));
 }
 
 BarchanPoint ConstructBarchanPoint(float arg0, float arg1, float arg2) {
@@ -630,37 +631,85 @@ float barchan_curved_towards(BarchanGround ground_2, int2 texel_1, float height_
 
 float barchan_curved_texel(BarchanGround ground_3, int2 texel_2, BarchanNeighbours beside)
 {
+    float elevation = 0.0;
+    int side = int(0);
+
     const float _e4 = barchan_height_texel(texel_2, int(0));
-    const float _e6 = barchan_curved_towards(ground_3, texel_2, _e4, beside.first);
-    if ((beside.weight == 0.0)) {
-        return _e6;
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            int _e33 = side;
+            side = asint(asuint(_e33) + asuint(int(1)));
+        }
+        loop_init_1 = false;
+        int _e9 = side;
+        if ((_e9 < int(2))) {
+        } else {
+            break;
+        }
+        {
+            int _e16 = side;
+            float weight_1 = ((_e16 == int(1)) ? beside.weight : (1.0 - beside.weight));
+            if ((weight_1 != 0.0)) {
+                int _e24 = side;
+                int azimuth_3 = ((_e24 == int(1)) ? beside.second : beside.first);
+                float _e28 = elevation;
+                const float _e29 = barchan_curved_towards(ground_3, texel_2, _e4, azimuth_3);
+                elevation = (_e28 + (weight_1 * _e29));
+            }
+        }
     }
-    const float _e11 = barchan_curved_towards(ground_3, texel_2, _e4, beside.second);
-    return lerp(_e6, _e11, beside.weight);
+    float _e35 = elevation;
+    return _e35;
 }
 
 float barchan_curved_elevation(float2 place_11, BarchanTangentLight light, float curvature_1)
 {
+    float elevation_1 = 0.0;
+    int tap = int(0);
+
     float _e7 = barchan_tables[0].least;
     const BarchanGround _e8 = barchan_ground(curvature_1, light.stretch, _e7);
     const BarchanNeighbours _e11 = barchan_neighbours(BARCHAN_HORIZON, light.azimuth);
     float2 corner = floor(place_11);
-    int2 texel_3 = naga_f2i32(corner);
     float2 part_1 = (place_11 - corner);
-    const float _e15 = barchan_curved_texel(_e8, texel_3, _e11);
-    const float _e20 = barchan_curved_texel(_e8, asint(asuint(texel_3) + asuint(int2(int(1), int(0)))), _e11);
-    const float _e25 = barchan_curved_texel(_e8, asint(asuint(texel_3) + asuint(int2(int(0), int(1)))), _e11);
-    const float _e30 = barchan_curved_texel(_e8, asint(asuint(texel_3) + asuint(int2(int(1), int(1)))), _e11);
-    float upper = lerp(_e15, _e20, part_1.x);
-    float lower = lerp(_e25, _e30, part_1.x);
-    return clamp(lerp(upper, lower, part_1.y), -1.5707963, BARCHAN_GREATEST_ELEVATION);
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            int _e45 = tap;
+            tap = asint(asuint(_e45) + asuint(int(1)));
+        }
+        loop_init_2 = false;
+        int _e18 = tap;
+        if ((_e18 < int(4))) {
+        } else {
+            break;
+        }
+        {
+            int _e21 = tap;
+            int _e24 = tap;
+            int2 offset_1 = int2((_e21 & int(1)), (_e24 >> 1u));
+            float2 weights = ((offset_1 == (int(1)).xx) ? part_1 : ((1.0).xx - part_1));
+            float _e35 = elevation_1;
+            const float _e41 = barchan_curved_texel(_e8, asint(asuint(naga_f2i32(corner)) + asuint(offset_1)), _e11);
+            elevation_1 = (_e35 + ((weights.x * weights.y) * _e41));
+        }
+    }
+    float _e47 = elevation_1;
+    return clamp(_e47, -1.5707963, BARCHAN_GREATEST_ELEVATION);
 }
 
-bool barchan_curved_in_shadow(float2 place_12, BarchanTangentLight light_1, float curvature_2)
+bool barchan_is_below(BarchanTangentLight light_1, float elevation_2)
 {
-    const float _e3 = barchan_curved_elevation(place_12, light_1, curvature_2);
-    const float2 _e4 = barchan_sine_cosine(_e3);
-    return ((light_1.height * _e4.y) < (light_1.level * _e4.x));
+    const float2 _e2 = barchan_sine_cosine(elevation_2);
+    return ((light_1.height * _e2.y) < (light_1.level * _e2.x));
+}
+
+bool barchan_curved_in_shadow(float2 place_12, BarchanTangentLight light_2, float curvature_2)
+{
+    const float _e3 = barchan_curved_elevation(place_12, light_2, curvature_2);
+    const bool _e4 = barchan_is_below(light_2, _e3);
+    return _e4;
 }
 
 float2 barchan_probe_place(float4 position_1)
@@ -691,6 +740,6 @@ float4 barchan_probe_curved(FragmentInput_barchan_probe_curved fragmentinput_bar
     float3 _e30 = barchan_probe.second_form;
     const float _e32 = barchan_curvature_along(_e27, _e30, _e24.direction);
     const float _e33 = barchan_curved_elevation(_e1, _e24, _e32);
-    const bool _e34 = barchan_curved_in_shadow(_e1, _e24, _e32);
+    const bool _e34 = barchan_is_below(_e24, _e33);
     return float4(_e33, (_e34 ? 1.0 : 0.0), _e32, _e24.azimuth);
 }

@@ -267,43 +267,60 @@ BarchanNeighbours barchan_neighbours(uint table_9, float azimuth) {
     return BarchanNeighbours(end, end, 0.0);
 }
 
-vec2 barchan_penumbra_tap(ivec2 texel, int azimuth_1, float level_distance) {
-    float _e3 = barchan_distance_texel(texel, azimuth_1);
-    if ((_e3 < level_distance)) {
-        float _e5 = barchan_horizon_texel(texel, azimuth_1);
-        return vec2(1.0, _e5);
-    }
-    return vec2(0.0);
-}
-
-vec2 barchan_penumbra_blocking(vec2 place_6, int azimuth_2, float level_distance_1) {
-    vec2 corner = floor(place_6);
-    ivec2 texel_1 = ivec2(corner);
-    vec2 part_1 = (place_6 - corner);
-    vec2 _e6 = barchan_penumbra_tap(texel_1, azimuth_2, level_distance_1);
-    vec2 _e11 = barchan_penumbra_tap((texel_1 + ivec2(1, 0)), azimuth_2, level_distance_1);
-    vec2 _e16 = barchan_penumbra_tap((texel_1 + ivec2(0, 1)), azimuth_2, level_distance_1);
-    vec2 _e21 = barchan_penumbra_tap((texel_1 + ivec2(1, 1)), azimuth_2, level_distance_1);
-    return mix(mix(_e6, _e11, part_1.x), mix(_e16, _e21, part_1.x), part_1.y);
-}
-
-vec2 barchan_penumbra_horizon(vec2 place_7, float azimuth_3, float level_distance_2) {
-    BarchanNeighbours _e4 = barchan_neighbours(BARCHAN_HORIZON, azimuth_3);
+vec2 barchan_penumbra_horizon(vec2 place_6, float azimuth_1, float level_distance) {
+    float coverage = 0.0;
+    float elevation = 0.0;
+    int tap = 0;
+    BarchanNeighbours _e4 = barchan_neighbours(BARCHAN_HORIZON, azimuth_1);
     float _e8 = _group_0_binding_0_fs[2].greatest;
-    if ((level_distance_2 > _e8)) {
-        float _e11 = barchan_horizon_at(place_7, _e4.first);
-        float _e13 = barchan_horizon_at(place_7, _e4.second);
+    if ((level_distance > _e8)) {
+        float _e11 = barchan_horizon_at(place_6, _e4.first);
+        float _e13 = barchan_horizon_at(place_6, _e4.second);
         return vec2(1.0, mix(_e11, _e13, _e4.weight));
     }
-    vec2 _e19 = barchan_penumbra_blocking(place_7, _e4.first, level_distance_2);
-    vec2 _e21 = barchan_penumbra_blocking(place_7, _e4.second, level_distance_2);
-    vec2 blocking = mix(_e19, _e21, _e4.weight);
-    return vec2(blocking.x, (blocking.y / max(blocking.x, 1e-6)));
+    vec2 corner = floor(place_6);
+    vec2 part_1 = (place_6 - corner);
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            int _e71 = tap;
+            tap = (_e71 + 1);
+        }
+        loop_init = false;
+        int _e26 = tap;
+        if ((_e26 < 8)) {
+        } else {
+            break;
+        }
+        {
+            int _e29 = tap;
+            bool is_second = (_e29 > 3);
+            int layer_5 = (is_second ? _e4.second : _e4.first);
+            int _e35 = tap;
+            int _e38 = tap;
+            ivec2 offset_1 = ivec2((_e35 & 1), ((_e38 >> 1u) & 1));
+            ivec2 texel = (ivec2(corner) + offset_1);
+            float _e46 = barchan_distance_texel(texel, layer_5);
+            if ((_e46 < level_distance)) {
+                vec2 weights = mix((vec2(1.0) - part_1), part_1, equal(offset_1, ivec2(1)));
+                float weight_1 = ((weights.x * weights.y) * (is_second ? _e4.weight : (1.0 - _e4.weight)));
+                float _e64 = coverage;
+                coverage = (_e64 + weight_1);
+                float _e66 = elevation;
+                float _e67 = barchan_horizon_texel(texel, layer_5);
+                elevation = (_e66 + (weight_1 * _e67));
+            }
+        }
+    }
+    float _e73 = coverage;
+    float _e74 = elevation;
+    float _e75 = coverage;
+    return vec2(_e73, (_e74 / max(_e75, 1e-6)));
 }
 
-float barchan_penumbra_visibility(vec2 place_8, vec3 towards, float angular_radius, float level_distance_3) {
+float barchan_penumbra_visibility(vec2 place_7, vec3 towards, float angular_radius, float level_distance_1) {
     float _e5 = barchan_azimuth(towards.xy);
-    vec2 _e6 = barchan_penumbra_horizon(place_8, _e5, level_distance_3);
+    vec2 _e6 = barchan_penumbra_horizon(place_7, _e5, level_distance_1);
     vec2 _e8 = barchan_sine_cosine(_e6.y);
     float level_1 = length(towards.xy);
     float rise = ((towards.z * _e8.y) - (level_1 * _e8.x));

@@ -318,47 +318,63 @@ BarchanNeighbours barchan_neighbours(uint table_9, float azimuth)
     return barchanneighbours_3;
 }
 
-float2 barchan_penumbra_tap(int2 texel, int azimuth_1, float level_distance)
+float2 barchan_penumbra_horizon(float2 place_6, float azimuth_1, float level_distance)
 {
-    const float _e3 = barchan_distance_texel(texel, azimuth_1);
-    if ((_e3 < level_distance)) {
-        const float _e5 = barchan_horizon_texel(texel, azimuth_1);
-        return float2(1.0, _e5);
-    }
-    return (0.0).xx;
-}
+    float coverage = 0.0;
+    float elevation = 0.0;
+    int tap = int(0);
 
-float2 barchan_penumbra_blocking(float2 place_6, int azimuth_2, float level_distance_1)
-{
-    float2 corner = floor(place_6);
-    int2 texel_1 = naga_f2i32(corner);
-    float2 part_1 = (place_6 - corner);
-    const float2 _e6 = barchan_penumbra_tap(texel_1, azimuth_2, level_distance_1);
-    const float2 _e11 = barchan_penumbra_tap(asint(asuint(texel_1) + asuint(int2(int(1), int(0)))), azimuth_2, level_distance_1);
-    const float2 _e16 = barchan_penumbra_tap(asint(asuint(texel_1) + asuint(int2(int(0), int(1)))), azimuth_2, level_distance_1);
-    const float2 _e21 = barchan_penumbra_tap(asint(asuint(texel_1) + asuint(int2(int(1), int(1)))), azimuth_2, level_distance_1);
-    return lerp(lerp(_e6, _e11, part_1.x), lerp(_e16, _e21, part_1.x), part_1.y);
-}
-
-float2 barchan_penumbra_horizon(float2 place_7, float azimuth_3, float level_distance_2)
-{
-    const BarchanNeighbours _e4 = barchan_neighbours(BARCHAN_HORIZON, azimuth_3);
+    const BarchanNeighbours _e4 = barchan_neighbours(BARCHAN_HORIZON, azimuth_1);
     float _e8 = barchan_tables[2].greatest;
-    if ((level_distance_2 > _e8)) {
-        const float _e11 = barchan_horizon_at(place_7, _e4.first);
-        const float _e13 = barchan_horizon_at(place_7, _e4.second);
+    if ((level_distance > _e8)) {
+        const float _e11 = barchan_horizon_at(place_6, _e4.first);
+        const float _e13 = barchan_horizon_at(place_6, _e4.second);
         return float2(1.0, lerp(_e11, _e13, _e4.weight));
     }
-    const float2 _e19 = barchan_penumbra_blocking(place_7, _e4.first, level_distance_2);
-    const float2 _e21 = barchan_penumbra_blocking(place_7, _e4.second, level_distance_2);
-    float2 blocking = lerp(_e19, _e21, _e4.weight);
-    return float2(blocking.x, (blocking.y / max(blocking.x, 1e-6)));
+    float2 corner = floor(place_6);
+    float2 part_1 = (place_6 - corner);
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            int _e71 = tap;
+            tap = asint(asuint(_e71) + asuint(int(1)));
+        }
+        loop_init = false;
+        int _e26 = tap;
+        if ((_e26 < int(8))) {
+        } else {
+            break;
+        }
+        {
+            int _e29 = tap;
+            bool is_second = (_e29 > int(3));
+            int layer_5 = (is_second ? _e4.second : _e4.first);
+            int _e35 = tap;
+            int _e38 = tap;
+            int2 offset_1 = int2((_e35 & int(1)), ((_e38 >> 1u) & int(1)));
+            int2 texel = asint(asuint(naga_f2i32(corner)) + asuint(offset_1));
+            const float _e46 = barchan_distance_texel(texel, layer_5);
+            if ((_e46 < level_distance)) {
+                float2 weights = ((offset_1 == (int(1)).xx) ? part_1 : ((1.0).xx - part_1));
+                float weight_1 = ((weights.x * weights.y) * (is_second ? _e4.weight : (1.0 - _e4.weight)));
+                float _e64 = coverage;
+                coverage = (_e64 + weight_1);
+                float _e66 = elevation;
+                const float _e67 = barchan_horizon_texel(texel, layer_5);
+                elevation = (_e66 + (weight_1 * _e67));
+            }
+        }
+    }
+    float _e73 = coverage;
+    float _e74 = elevation;
+    float _e75 = coverage;
+    return float2(_e73, (_e74 / max(_e75, 1e-6)));
 }
 
-float barchan_penumbra_visibility(float2 place_8, float3 towards, float angular_radius, float level_distance_3)
+float barchan_penumbra_visibility(float2 place_7, float3 towards, float angular_radius, float level_distance_1)
 {
     const float _e5 = barchan_azimuth(towards.xy);
-    const float2 _e6 = barchan_penumbra_horizon(place_8, _e5, level_distance_3);
+    const float2 _e6 = barchan_penumbra_horizon(place_7, _e5, level_distance_1);
     const float2 _e8 = barchan_sine_cosine(_e6.y);
     float level_1 = length(towards.xy);
     float rise = ((towards.z * _e8.y) - (level_1 * _e8.x));

@@ -356,74 +356,77 @@ BarchanNeighbours barchan_neighbours(
     return BarchanNeighbours {end, end, 0.0};
 }
 
-metal::float2 barchan_penumbra_tap(
-    metal::int2 texel,
-    int azimuth_1,
-    float level_distance,
-    constant BarchanTables& barchan_tables,
-    metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
-    metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
-) {
-    float _e3 = barchan_distance_texel(texel, azimuth_1, barchan_tables, barchan_distance_texels);
-    if (_e3 < level_distance) {
-        float _e5 = barchan_horizon_texel(texel, azimuth_1, barchan_tables, barchan_horizon_texels);
-        return metal::float2(1.0, _e5);
-    }
-    return metal::float2(0.0);
-}
-
-metal::float2 barchan_penumbra_blocking(
-    metal::float2 place_6,
-    int azimuth_2,
-    float level_distance_1,
-    constant BarchanTables& barchan_tables,
-    metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
-    metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
-) {
-    metal::float2 corner = metal::floor(place_6);
-    metal::int2 texel_1 = naga_f2i32(corner);
-    metal::float2 part_1 = place_6 - corner;
-    metal::float2 _e6 = barchan_penumbra_tap(texel_1, azimuth_2, level_distance_1, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
-    metal::float2 _e11 = barchan_penumbra_tap(as_type<metal::int2>(as_type<metal::uint2>(texel_1) + as_type<metal::uint2>(metal::int2(1, 0))), azimuth_2, level_distance_1, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
-    metal::float2 _e16 = barchan_penumbra_tap(as_type<metal::int2>(as_type<metal::uint2>(texel_1) + as_type<metal::uint2>(metal::int2(0, 1))), azimuth_2, level_distance_1, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
-    metal::float2 _e21 = barchan_penumbra_tap(as_type<metal::int2>(as_type<metal::uint2>(texel_1) + as_type<metal::uint2>(metal::int2(1, 1))), azimuth_2, level_distance_1, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
-    return metal::mix(metal::mix(_e6, _e11, part_1.x), metal::mix(_e16, _e21, part_1.x), part_1.y);
-}
-
 metal::float2 barchan_penumbra_horizon(
-    metal::float2 place_7,
-    float azimuth_3,
-    float level_distance_2,
+    metal::float2 place_6,
+    float azimuth_1,
+    float level_distance,
     constant BarchanTables& barchan_tables,
     metal::sampler barchan_sampler,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
-    BarchanNeighbours _e4 = barchan_neighbours(BARCHAN_HORIZON, azimuth_3, barchan_tables);
+    float coverage = 0.0;
+    float elevation = 0.0;
+    int tap = 0;
+    BarchanNeighbours _e4 = barchan_neighbours(BARCHAN_HORIZON, azimuth_1, barchan_tables);
     float _e8 = barchan_tables.inner[2].greatest;
-    if (level_distance_2 > _e8) {
-        float _e11 = barchan_horizon_at(place_7, _e4.first, barchan_tables, barchan_sampler, barchan_horizon_texels);
-        float _e13 = barchan_horizon_at(place_7, _e4.second, barchan_tables, barchan_sampler, barchan_horizon_texels);
+    if (level_distance > _e8) {
+        float _e11 = barchan_horizon_at(place_6, _e4.first, barchan_tables, barchan_sampler, barchan_horizon_texels);
+        float _e13 = barchan_horizon_at(place_6, _e4.second, barchan_tables, barchan_sampler, barchan_horizon_texels);
         return metal::float2(1.0, metal::mix(_e11, _e13, _e4.weight));
     }
-    metal::float2 _e19 = barchan_penumbra_blocking(place_7, _e4.first, level_distance_2, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
-    metal::float2 _e21 = barchan_penumbra_blocking(place_7, _e4.second, level_distance_2, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
-    metal::float2 blocking = metal::mix(_e19, _e21, _e4.weight);
-    return metal::float2(blocking.x, blocking.y / metal::max(blocking.x, 0.000001));
+    metal::float2 corner = metal::floor(place_6);
+    metal::float2 part_1 = place_6 - corner;
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            int _e71 = tap;
+            tap = as_type<int>(as_type<uint>(_e71) + as_type<uint>(1));
+        }
+        loop_init = false;
+        int _e26 = tap;
+        if (_e26 < 8) {
+        } else {
+            break;
+        }
+        {
+            int _e29 = tap;
+            bool is_second = _e29 > 3;
+            int layer_5 = is_second ? _e4.second : _e4.first;
+            int _e35 = tap;
+            int _e38 = tap;
+            metal::int2 offset_1 = metal::int2(_e35 & 1, (_e38 >> 1u) & 1);
+            metal::int2 texel = as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner)) + as_type<metal::uint2>(offset_1));
+            float _e46 = barchan_distance_texel(texel, layer_5, barchan_tables, barchan_distance_texels);
+            if (_e46 < level_distance) {
+                metal::float2 weights = metal::select(metal::float2(1.0) - part_1, part_1, offset_1 == metal::int2(1));
+                float weight_1 = (weights.x * weights.y) * (is_second ? _e4.weight : (1.0 - _e4.weight));
+                float _e64 = coverage;
+                coverage = _e64 + weight_1;
+                float _e66 = elevation;
+                float _e67 = barchan_horizon_texel(texel, layer_5, barchan_tables, barchan_horizon_texels);
+                elevation = _e66 + (weight_1 * _e67);
+            }
+        }
+    }
+    float _e73 = coverage;
+    float _e74 = elevation;
+    float _e75 = coverage;
+    return metal::float2(_e73, _e74 / metal::max(_e75, 0.000001));
 }
 
 float barchan_penumbra_visibility(
-    metal::float2 place_8,
+    metal::float2 place_7,
     metal::float3 towards,
     float angular_radius,
-    float level_distance_3,
+    float level_distance_1,
     constant BarchanTables& barchan_tables,
     metal::sampler barchan_sampler,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
     float _e5 = barchan_azimuth(towards.xy);
-    metal::float2 _e6 = barchan_penumbra_horizon(place_8, _e5, level_distance_3, barchan_tables, barchan_sampler, barchan_horizon_texels, barchan_distance_texels);
+    metal::float2 _e6 = barchan_penumbra_horizon(place_7, _e5, level_distance_1, barchan_tables, barchan_sampler, barchan_horizon_texels, barchan_distance_texels);
     metal::float2 _e8 = barchan_sine_cosine(_e6.y);
     float level_1 = metal::length(towards.xy);
     float rise = (towards.z * _e8.y) - (level_1 * _e8.x);
