@@ -32,7 +32,8 @@ pub(crate) fn compare(
     let differences: Vec<f64> =
         found.iter().zip(expected).map(|(&found, &expected)| difference(found, expected)).collect();
     let stats = ErrorStats::of(differences.iter().copied());
-    let beyond = differences.iter().filter(|&&difference| !(difference <= tolerance)).count();
+    let within = differences.iter().filter(|&&difference| difference <= tolerance).count();
+    let beyond = numbers - within;
     if beyond as f64 <= allowed_share * numbers as f64 {
         return Ok(stats.max());
     }

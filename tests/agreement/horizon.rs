@@ -45,7 +45,7 @@ struct Horizons<'a> {
 }
 
 impl<'a> Horizons<'a> {
-    fn new(name: String, loaded: &'a Loaded, sampling: Sampling) -> Self {
+    fn new(name: &str, loaded: &'a Loaded, sampling: Sampling) -> Self {
         let view = loaded.view(Semantic::HorizonElevation, HorizonView::new);
         let filtered = loaded.filters(Semantic::HorizonElevation, sampling);
         let layer = |layer| Filtered::new(&view.table(), layer, 0);
@@ -138,7 +138,7 @@ fn every_encoding_edge_and_sampling_agrees() {
         for (edges, wraps) in WRAPS {
             let loaded = Loaded::of_tables([table(encoding, Azimuths::full_circle(7), size, wraps, rough)]);
             for sampling in SAMPLINGS {
-                let mut horizons = Horizons::new(format!("{}_{edges}", encoding.name()), &loaded, sampling);
+                let mut horizons = Horizons::new(&format!("{}_{edges}", encoding.name()), &loaded, sampling);
                 for light in lights(7) {
                     probes(size).iter().for_each(|probe| horizons.check(&light, probe));
                 }
@@ -155,7 +155,7 @@ fn tables_of_few_texels_agree() {
         let loaded =
             Loaded::of_tables([table(Encoding::Compact, Azimuths::full_circle(3), (width, height), wraps, rough)]);
         for sampling in SAMPLINGS {
-            let mut horizons = Horizons::new(format!("{width}_by_{height}"), &loaded, sampling);
+            let mut horizons = Horizons::new(&format!("{width}_by_{height}"), &loaded, sampling);
             for light in lights(3) {
                 probes((width, height)).iter().for_each(|probe| horizons.check(&light, probe));
             }
@@ -170,7 +170,7 @@ fn walls_agree() {
     for encoding in Encoding::ALL {
         let loaded = Loaded::of_tables([table(encoding, Azimuths::full_circle(4), (9, 9), WRAPS[1].1, wall)]);
         for sampling in SAMPLINGS {
-            let mut horizons = Horizons::new(format!("walls_{}", encoding.name()), &loaded, sampling);
+            let mut horizons = Horizons::new(&format!("walls_{}", encoding.name()), &loaded, sampling);
             for (azimuth, elevation) in
                 [(0.0, 0.0), (90.0, 60.0), (45.0, 89.0), (200.0, -30.0), (0.0, 90.0), (0.0, -90.0)]
             {
@@ -194,7 +194,7 @@ fn arcs_end_at_both_ends() {
     ];
     for (name, azimuths) in arcs {
         let loaded = Loaded::of_tables([table(Encoding::F32, azimuths, size, WRAPS[0].1, rough)]);
-        let mut horizons = Horizons::new(name.to_owned(), &loaded, Sampling::Loaded);
+        let mut horizons = Horizons::new(name, &loaded, Sampling::Loaded);
         // What f32 keeps of the azimuth, 2⁻²¹ rad, over a step of a tenth.
         horizons.tolerance = if azimuths.count() == 64 { 2e-5 } else { TOLERANCE };
         let (first, last) = (azimuths.radians(0), azimuths.radians(azimuths.count() - 1));
@@ -255,7 +255,7 @@ fn baked_dunes_agree() {
         for encoding in ENCODINGS {
             let loaded = Loaded::baked(support::recipe(shape, (48, 40), edge, encoding), &[Table::Horizon]);
             for sampling in SAMPLINGS {
-                let mut horizons = Horizons::new(format!("dunes_{encoding:?}_{edge:?}"), &loaded, sampling);
+                let mut horizons = Horizons::new(&format!("dunes_{encoding:?}_{edge:?}"), &loaded, sampling);
                 // Layers of neighbouring azimuths are alike.
                 horizons.tolerance = 5e-7;
                 for light in [(0.0, 3.0), (33.0, 5.0), (350.0, 10.0), (202.5, 0.0)].map(|(a, e)| light(a, e)) {
