@@ -51,7 +51,8 @@ fn barchan_{name}_texel(place: vec2<i32>, layer: i32) -> {value} {{
     let sample = sample.replace("LAYERS", &format!("{}.0", texture.layers));
     source += &match interpolation {
         None => String::new(),
-        Some(Sampling::Filtered) => format!(            "
+        Some(Sampling::Filtered) => format!(
+            "
 fn barchan_{name}_at(place: vec2<f32>, layer: i32) -> {value} {{
     let uv = (place + 0.5) / barchan_tables[BARCHAN_{upper}].extent;
     let stored = textureSampleLevel(barchan_{name}_texels, barchan_sampler, {sample}).{channels};

@@ -21,6 +21,7 @@
 
 mod access;
 mod alike;
+mod parts;
 mod technique;
 
 use std::fmt;
@@ -139,7 +140,7 @@ impl Shader {
     pub fn compose(plan: &UploadPlan, techniques: &[Technique], options: &ShaderOptions) -> Result<Self, ComposeError> {
         technique::check(techniques)?;
         let tables = technique::tables(techniques, plan)?;
-        let parts = technique::parts(techniques, &tables, options.probes);
+        let parts = parts::of(techniques, &tables, options.probes);
         let textures: Vec<_> = tables.iter().filter_map(|&table| plan.texture(table)).collect();
         let interpolations: Vec<_> = textures.iter().map(|texture| interpolation(texture, &parts, options)).collect();
         let mut kinds = vec![BindingKind::Parameters];
@@ -153,7 +154,7 @@ impl Shader {
             kinds.push(BindingKind::Texture { table: texture.table, shape: texture.shape, is_filtered });
             source += &access::of_table(texture, interpolation);
         }
-        source += &technique::constants(techniques);
+        source += &parts::constants(techniques);
         for part in parts {
             source += "\n";
             source += part;
