@@ -148,17 +148,18 @@ impl Technique {
         };
         if probes {
             parts.push(include_str!("wgsl/probe.wgsl"));
-            parts.push(self.probe_part());
+            parts.push(self.probe_part(has));
         }
         parts
     }
 
-    fn probe_part(self) -> &'static str {
+    fn probe_part(self, has: &dyn Fn(Semantic) -> bool) -> &'static str {
         match self {
             Self::Surface => include_str!("wgsl/probe_surface.wgsl"),
             Self::HorizonShadow => include_str!("wgsl/probe_horizon.wgsl"),
             Self::CurvedShadow => include_str!("wgsl/probe_curved.wgsl"),
             Self::Penumbra => include_str!("wgsl/probe_penumbra.wgsl"),
+            Self::Sky if has(Semantic::BentNormal) => include_str!("wgsl/probe_sky_bent_normal.wgsl"),
             Self::Sky => include_str!("wgsl/probe_sky.wgsl"),
             Self::ApertureCone => include_str!("wgsl/probe_aperture.wgsl"),
             Self::Relief(_) => include_str!("wgsl/probe_relief.wgsl"),

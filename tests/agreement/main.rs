@@ -1,0 +1,8 @@
+//! The same bytes, the same places, the same lights: what shaders find on the GPU against the CPU twin in `barchan-shade`.
+//!
+//! Each test states how far the two may be apart, and why. One that fails leaves what was found, what was expected and the
+//! difference as pictures in `target/agreement/`. A machine without a GPU, not even a software one, fails every test; the message
+//! names what installs one.
+
+mod compare;
+mod support;
