@@ -187,14 +187,18 @@ fn relief_parts(search: ReliefSearch, has: &dyn Fn(Semantic) -> bool) -> Vec<&'s
         true => include_str!("wgsl/relief_start_depth_map.wgsl"),
         false => include_str!("wgsl/relief_start_top.wgsl"),
     };
+    let (sampled, cone_step) = (include_str!("wgsl/relief_sampled.wgsl"), include_str!("wgsl/relief_cone_step.wgsl"));
     let search = match search {
-        ReliefSearch::Linear { .. } => include_str!("wgsl/relief_linear.wgsl"),
-        ReliefSearch::ParallaxOcclusion { .. } => include_str!("wgsl/relief_parallax.wgsl"),
-        ReliefSearch::ConeSteps => include_str!("wgsl/relief_cones.wgsl"),
-        ReliefSearch::RelaxedConeSteps { .. } => include_str!("wgsl/relief_relaxed_cones.wgsl"),
-        ReliefSearch::MaximumMip => include_str!("wgsl/relief_maximum_mip.wgsl"),
+        ReliefSearch::Linear { .. } => vec![sampled, include_str!("wgsl/relief_linear.wgsl")],
+        ReliefSearch::ParallaxOcclusion { .. } => vec![sampled, include_str!("wgsl/relief_parallax.wgsl")],
+        ReliefSearch::ConeSteps => vec![cone_step, include_str!("wgsl/relief_cones.wgsl")],
+        ReliefSearch::RelaxedConeSteps { .. } => {
+            vec![sampled, cone_step, include_str!("wgsl/relief_relaxed_cones.wgsl")]
+        }
+        ReliefSearch::MaximumMip => vec![include_str!("wgsl/relief_maximum_mip.wgsl")],
     };
-    vec![include_str!("wgsl/relief.wgsl"), start, search, include_str!("wgsl/relief_find.wgsl")]
+    let ends = [include_str!("wgsl/relief_find.wgsl")];
+    [include_str!("wgsl/relief.wgsl"), start].into_iter().chain(search).chain(ends).collect()
 }
 
 /// Techniques that go together.
