@@ -1,12 +1,14 @@
 //! Pictures and numbers by the GPU, without a window, through the reader.
 //!
 //! A [`Gpu`] is a device of this machine, real or software. A [`ProbePass`] draws the numbers of one technique, a place a pixel, and
-//! reads them back: what tests hold against the CPU twin, and benches time.
+//! reads them back: what tests hold against the CPU twin. A [`TimedPass`] says how long the GPU takes for them.
 
 mod error;
 mod gpu;
 mod probe;
+mod timing;
 
 pub use error::GpuError;
 pub use gpu::Gpu;
 pub use probe::{Probe, ProbePass};
+pub use timing::TimedPass;

@@ -2,7 +2,6 @@
 
 use barchan_wgpu::{GpuAsset, Sampling, Shader, ShaderOptions, Technique, UploadPlan};
 
-use crate::gpu::wait;
 use crate::{Gpu, GpuError};
 
 /// What is drawn: places on a grid under one light. `probe.wgsl` declares the same.
@@ -157,20 +156,11 @@ impl<'a> ProbePass<'a> {
     /// A device that refuses or is lost.
     pub fn draw(&self, probe: &Probe) -> Result<Vec<[f32; 4]>, GpuError> {
         let (width, height) = probe.size;
-        self.gpu.queue.write_buffer(&self.probe, 0, &probe.bytes());
+        self.set(probe);
         let row_bytes = (16 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
         let read_back = self.gpu.checked(|device| {
-            let target = device.create_texture(&wgpu::TextureDescriptor {
-                label: Some("probe"),
-                size,
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format: FORMAT,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-                view_formats: &[],
-            });
+            let target = target(device, probe.size, wgpu::TextureUsages::COPY_SRC);
             let read_back = device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("probe"),
                 size: u64::from(row_bytes) * u64::from(height),
@@ -178,7 +168,7 @@ impl<'a> ProbePass<'a> {
                 mapped_at_creation: false,
             });
             let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            self.encode(&mut encoder, &target.create_view(&wgpu::TextureViewDescriptor::default()));
+            self.encode(&mut encoder, &target.create_view(&wgpu::TextureViewDescriptor::default()), None);
             let layout =
                 wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row_bytes), rows_per_image: Some(height) };
             let to = wgpu::TexelCopyBufferInfo { buffer: &read_back, layout };
@@ -186,14 +176,30 @@ impl<'a> ProbePass<'a> {
             self.gpu.queue.submit([encoder.finish()]);
             read_back
         })?;
-        let rows = self.read(&read_back)?;
+        let rows = self.gpu.read(&read_back)?;
         let number = |bytes: &[u8]| f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
         let pixel = |bytes: &[u8]| [0, 4, 8, 12].map(|at| number(&bytes[at..]));
         let rows = rows.chunks_exact(row_bytes as usize);
         Ok(rows.flat_map(|row| row[..16 * width as usize].chunks_exact(16).map(pixel)).collect())
     }
 
-    fn encode(&self, encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {
+    /// Its device.
+    pub(crate) fn gpu(&self) -> &'a Gpu {
+        self.gpu
+    }
+
+    /// Sets what the next pass draws.
+    pub(crate) fn set(&self, probe: &Probe) {
+        self.gpu.queue.write_buffer(&self.probe, 0, &probe.bytes());
+    }
+
+    /// Draws to a target, between two timestamps where there are any.
+    pub(crate) fn encode(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        target: &wgpu::TextureView,
+        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("probe"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -205,22 +211,25 @@ impl<'a> ProbePass<'a> {
                     store: wgpu::StoreOp::Store,
                 },
             })],
+            timestamp_writes,
             ..Default::default()
         });
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.bind_group, &[]);
         pass.draw(0..3, 0..1);
     }
+}
 
-    fn read(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
-        let (sender, receiver) = std::sync::mpsc::channel();
-        buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| drop(sender.send(mapped)));
-        self.gpu.finish()?;
-        let lost = |reason: String| GpuError::Device { reason };
-        wait(async { receiver.recv() })
-            .map_err(|error| lost(error.to_string()))?
-            .map_err(|error| lost(error.to_string()))?;
-        let view = buffer.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
-        Ok(view.to_vec())
-    }
+/// Four floats a pixel, to draw to and for some usage besides.
+pub(crate) fn target(device: &wgpu::Device, (width, height): (u32, u32), usage: wgpu::TextureUsages) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("probe"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
+        view_formats: &[],
+    })
 }
