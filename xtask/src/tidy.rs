@@ -21,7 +21,7 @@ const ARROWS: [(&str, &[&str]); 12] = [
     ("metrics", &[]),
     ("pipeline", &["asset", "bakers", "field", "import", "metrics"]),
     ("shade", &["asset"]),
-    ("study", &["asset", "bakers", "field", "metrics", "shade"]),
+    ("study", &["asset", "bakers", "field", "metrics", "shade", "view", "wgpu"]),
     ("view", &["asset", "wgpu"]),
     ("wgpu", &["asset"]),
     ("xtask", &[]),
