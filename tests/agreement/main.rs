@@ -5,4 +5,5 @@
 //! names what installs one.
 
 mod compare;
+mod penumbra;
 mod support;
