@@ -18,6 +18,9 @@ pub(crate) fn test() -> Result<()> {
     cargo_with("doc --workspace --no-deps --all-features", &[("RUSTDOCFLAGS", "-D warnings")])?;
     // Unit, property, golden and end-to-end tests, and the examples in the documentation.
     cargo("test --workspace --all-features")?;
+    // An engine of one's own, without a device and without zstd.
+    cargo("clippy -p barchan-wgpu --no-default-features --all-targets -- -D warnings")?;
+    cargo("test -p barchan-wgpu --no-default-features")?;
     println!("\neverything holds, after {:.0} s", start.elapsed().as_secs_f64());
     Ok(())
 }

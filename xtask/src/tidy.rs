@@ -1,6 +1,6 @@
 //! `cargo xtask tidy`: what the compiler cannot check.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -27,6 +27,16 @@ const ARROWS: [(&str, &[&str]); 12] = [
     ("xtask", &[]),
 ];
 
+/// Trees of dependencies that must stay short, as arguments of `cargo tree`: the packages whose names begin so, and which of these
+/// are accepted.
+const TREES: [(&str, &str, &[&str]); 3] = [
+    // What a game links is the format and the reader, whatever the features; and with a device of its own, nothing else at all.
+    ("-p barchan-wgpu --all-features", "barchan-", &["barchan-asset", "barchan-wgpu"]),
+    ("-p barchan-wgpu --no-default-features", "", &["barchan-asset", "barchan-wgpu"]),
+    // The program, without a GPU.
+    ("-p barchan-cli --no-default-features", "wgpu", &[]),
+];
+
 /// Documents whose relative links must lead somewhere.
 const DOCUMENTS: [&str; 15] = [
     "README.md",
@@ -48,7 +58,7 @@ const DOCUMENTS: [&str; 15] = [
 
 pub(crate) fn tidy() -> Result<()> {
     eprintln!("\n> tidy");
-    let problems: Vec<String> = [arrows()?, lints()?, links()?].concat();
+    let problems: Vec<String> = [arrows()?, trees()?, lints()?, links()?].concat();
     if !problems.is_empty() {
         bail!("not tidy:\n  {}", problems.join("\n  "));
     }
@@ -94,6 +104,23 @@ fn uses(package: &Value) -> Vec<String> {
 
 fn ours(name: &Value) -> String {
     name.as_str().unwrap_or_default().trim_start_matches("barchan-").to_owned()
+}
+
+/// Packages in a tree where they are not accepted. Tests and builds may use more.
+fn trees() -> Result<Vec<String>> {
+    let mut problems = Vec::new();
+    for (arguments, beginning, accepted) in TREES {
+        let mut command = Command::new(cargo_program());
+        command.current_dir(root()).args(["tree", "--edges", "normal", "--prefix", "none", "--format", "{p}"]);
+        let output = command.args(arguments.split(' ')).output().context("`cargo tree` cannot be started")?;
+        ensure!(output.status.success(), "`cargo tree` failed: {}", String::from_utf8_lossy(&output.stderr));
+        let tree = String::from_utf8_lossy(&output.stdout);
+        let names: BTreeSet<_> = tree.lines().filter_map(|line| line.split(' ').next()).collect();
+        let looked_at = names.iter().filter(|name| name.starts_with(beginning));
+        let forbidden = looked_at.filter(|name| !accepted.contains(name));
+        problems.extend(forbidden.map(|name| format!("`{name}` must not be in `cargo tree {arguments}`")));
+    }
+    Ok(problems)
 }
 
 /// Every package must switch the workspace's lints on: they forbid `unsafe`.

@@ -19,20 +19,20 @@ const fn table() -> [u32; 256] {
 }
 
 /// Continues the checksum `crc` (0 at the start) over `bytes`, one byte at a time, without a dependency.
-#[cfg_attr(feature = "write", allow(dead_code))]
+#[cfg_attr(feature = "fast-checksum", allow(dead_code))]
 pub(crate) fn plain(crc: u32, bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!crc, |crc, &byte| (crc >> 8) ^ TABLE[((crc ^ u32::from(byte)) & 0xFF) as usize])
 }
 
 /// Continues the checksum `crc` (0 at the start) over `bytes`, by the fastest means compiled in.
 pub(crate) fn update(crc: u32, bytes: &[u8]) -> u32 {
-    #[cfg(feature = "write")]
+    #[cfg(feature = "fast-checksum")]
     {
         let mut hasher = crc32fast::Hasher::new_with_initial(crc);
         hasher.update(bytes);
         hasher.finalize()
     }
-    #[cfg(not(feature = "write"))]
+    #[cfg(not(feature = "fast-checksum"))]
     plain(crc, bytes)
 }
 

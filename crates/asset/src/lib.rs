@@ -26,6 +26,7 @@
 //!
 //! # Features
 //!
+//! * `fast-checksum` (needs std): [`Section::is_intact`] by the processor's own instructions, not byte by byte.
 //! * `zstd` (needs std): `Section::payload` decodes zstd sections within [`Limits`].
 //! * `write` (needs std): `AssetWriter` in memory and `AssetStream` for tables that are larger, `TableEncoder` and the
 //!   tables that use it, the content identity, `validate`, the published `vectors`.

@@ -1,10 +1,11 @@
 //! A file that is opened, and whose descriptors are checked.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use barchan_asset::{
-    Asset, CurvatureDescriptor, CurvatureError, DescriptorError, OpenError, Section, SectionKind, Semantic,
-    TextureDescriptor,
+    Asset, Codec, CurvatureDescriptor, CurvatureError, DescriptorError, Limits, OpenError, Section, SectionKind,
+    Semantic, TextureDescriptor,
 };
 
 /// A table of texels in a file.
@@ -23,6 +24,7 @@ pub struct Reader<'a> {
     textures: Vec<TextureSection<'a>>,
     curvature: Option<(CurvatureDescriptor, Section<'a>)>,
     skipped: Vec<SectionKind>,
+    limits: Limits,
 }
 
 /// Why a file was refused.
@@ -45,19 +47,39 @@ pub enum ReadError {
         /// Of which section.
         kind: SectionKind,
     },
+    /// There is no such section.
+    Missing {
+        /// Which section.
+        kind: SectionKind,
+    },
+    /// A codec that this build does not decode.
+    Codec {
+        /// Of which section.
+        kind: SectionKind,
+        /// The codec's number.
+        found: u16,
+    },
+    /// A compressed section does not decode.
+    Payload {
+        /// Which section.
+        kind: SectionKind,
+        /// What the decoder says.
+        reason: String,
+    },
 }
 
 impl<'a> Reader<'a> {
     /// Checks the structure of a file and the descriptor of every table. `bytes` is the whole file.
     ///
-    /// It takes time in the number of tables, not in their size. Sections that this version does not know are passed over:
+    /// It takes time in the number of tables, not in their size. Sections that it does not know, and need not, are passed over:
     /// [`Self::skipped`].
     ///
     /// # Errors
     /// A file that `formats/barchan-v1.md` tells a reader to refuse, or a table whose descriptor does not hold.
     pub fn open(bytes: &'a [u8]) -> Result<Self, ReadError> {
         let asset = Asset::open(bytes).map_err(ReadError::Open)?;
-        let mut reader = Self { asset, textures: Vec::new(), curvature: None, skipped: Vec::new() };
+        let mut reader =
+            Self { asset, textures: Vec::new(), curvature: None, skipped: Vec::new(), limits: Limits::default() };
         for section in asset.sections() {
             reader.take(section)?;
         }
@@ -66,7 +88,7 @@ impl<'a> Reader<'a> {
 
     fn take(&mut self, section: Section<'a>) -> Result<(), ReadError> {
         let kind = section.kind();
-        if !section.is_known() {
+        if !section.is_known() || section.codec().is_none() {
             self.skipped.push(kind);
         } else if Semantic::of_kind(kind).is_some() {
             let descriptor = section.texture().map_err(|fault| ReadError::Table { kind, fault })?;
@@ -77,7 +99,15 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Reads every byte and compares the checksums: for files that may have been damaged on their way.
+    /// The same with other bounds on what decoding a compressed section may allocate than the default, 1 GiB.
+    #[must_use]
+    pub fn with_limits(mut self, limits: Limits) -> Self {
+        self.limits = limits;
+        self
+    }
+
+    /// Reads every byte and compares the checksums: for files that may have been damaged on their way. The feature
+    /// `fast-checksum` makes it many times faster.
     ///
     /// # Errors
     /// The first section whose bytes are not those that were written.
@@ -85,6 +115,23 @@ impl<'a> Reader<'a> {
         match self.asset.sections().find(|section| !section.is_intact()) {
             Some(damaged) => Err(ReadError::Damaged { kind: damaged.kind() }),
             None => Ok(()),
+        }
+    }
+
+    /// The payload of a section: of one that is stored raw the file's own bytes, not copied; else decoded to memory within the
+    /// limits. It is not checked against its checksum: [`Self::check_bytes`].
+    ///
+    /// # Errors
+    /// A section that is not there, a codec that this build does not decode, or a frame that does not decode to the stated length.
+    pub fn payload(&self, kind: SectionKind) -> Result<Cow<'a, [u8]>, ReadError> {
+        let section = self.asset.section(kind).ok_or(ReadError::Missing { kind })?;
+        match section.codec() {
+            Some(Codec::Raw) => Ok(Cow::Borrowed(section.stored_payload())),
+            #[cfg(feature = "zstd")]
+            Some(Codec::Zstd) => {
+                section.payload(&self.limits).map_err(|error| ReadError::Payload { kind, reason: error.to_string() })
+            }
+            _ => Err(ReadError::Codec { kind, found: section.codec_number() }),
         }
     }
 
@@ -112,7 +159,8 @@ impl<'a> Reader<'a> {
         self.curvature.as_ref().map(|(descriptor, section)| (descriptor, *section))
     }
 
-    /// The kinds of sections that this version does not know, and passes over.
+    /// The sections that are passed over: this reader does not know their kind, its version or its codec, and the file says that it
+    /// need not.
     #[must_use]
     pub fn skipped(&self) -> &[SectionKind] {
         &self.skipped
@@ -128,6 +176,16 @@ impl fmt::Display for ReadError {
             Self::Damaged { kind } => {
                 write!(f, "section {kind}: its bytes are damaged: their checksum is not the stated one")
             }
+            Self::Missing { kind } => write!(f, "section {kind} is not in the file"),
+            Self::Codec { kind, found } if *found == Codec::Zstd.number() => write!(
+                f,
+                "section {kind} is compressed, which this program does not read; bake with `compression: none`, or build the program \
+                 with the feature `zstd` of barchan-wgpu"
+            ),
+            Self::Codec { kind, found } => {
+                write!(f, "section {kind} is stored with codec {found}; 0 (raw) and 1 (zstd) are accepted")
+            }
+            Self::Payload { kind, reason } => write!(f, "section {kind}: {reason}"),
         }
     }
 }

@@ -2,39 +2,43 @@
 
 use std::fmt;
 
-use barchan_asset::SectionKind;
+use crate::ReadError;
 
-/// Why an upload failed: nothing is left on the device.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// Why an upload failed. Whatever was made of it on the device is gone again.
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum UploadError {
-    /// The plan was made of another file.
-    OtherFile {
-        /// The section that is not as planned.
-        kind: SectionKind,
-    },
-    /// A compressed section does not decode.
-    Payload {
-        /// Which section.
-        kind: SectionKind,
-        /// What the decoder says.
-        reason: String,
-    },
-    /// The device refused, or is lost.
+    /// The plan was made of another file, or of other bytes of it.
+    OtherFile,
+    /// A section that cannot be read or decoded.
+    Read(ReadError),
+    /// The device refused.
     Device {
         /// What it says.
         reason: String,
     },
+    /// The device has no memory left.
+    OutOfMemory,
+    /// The device is lost, before or on the way.
+    Lost,
+}
+
+impl From<ReadError> for UploadError {
+    fn from(error: ReadError) -> Self {
+        Self::Read(error)
+    }
 }
 
 impl fmt::Display for UploadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::OtherFile { kind } => {
-                write!(f, "section {kind} is not as it was planned; plan and file must belong together")
-            }
-            Self::Payload { kind, reason } => write!(f, "section {kind}: {reason}"),
+            Self::OtherFile => write!(f, "the upload was planned for another file; plan it again for this one"),
+            Self::Read(error) => write!(f, "{error}"),
             Self::Device { reason } => write!(f, "the device refused the upload: {reason}"),
+            Self::OutOfMemory => {
+                write!(f, "the device has no memory left for the upload; load fewer tables, or parts of them")
+            }
+            Self::Lost => write!(f, "the device is lost; make another one and upload again"),
         }
     }
 }

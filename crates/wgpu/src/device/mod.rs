@@ -1,7 +1,10 @@
 //! An upload plan carried out on a `wgpu::Device`.
 
+mod bind;
 mod error;
 mod upload;
+mod words;
+mod writer;
 
 pub use error::UploadError;
 pub use upload::GpuAsset;
@@ -19,6 +22,7 @@ impl DeviceLimits {
             max_layers: limits.max_texture_array_layers,
             filters_float32: device.features().contains(wgpu::Features::FLOAT32_FILTERABLE),
             max_buffer: limits.max_buffer_size,
+            guesses_cubes: device.adapter_info().backend == wgpu::Backend::Gl,
         }
     }
 }

@@ -1,9 +1,8 @@
 //! The curvature of a mesh as vertex buffers.
 
-use barchan_asset::{Codec, CurvatureColumn, LengthUnit, VertexFormat};
+use barchan_asset::{CurvatureColumn, LengthUnit, VertexFormat};
 
-use super::texture::codec_error;
-use super::{DeviceLimits, PlanError};
+use super::{DeviceLimits, PlanError, payload_offset, slice};
 use crate::{Reader, Selection};
 
 /// A column of curvature as a vertex buffer: one element a vertex, tight.
@@ -17,8 +16,16 @@ pub struct ColumnPlan {
     pub scale: f32,
     /// Where its bytes begin in the decoded payload.
     pub offset: u64,
-    /// How many there are.
+    /// How many there are, a multiple of 4.
     pub bytes: u64,
+}
+
+impl ColumnPlan {
+    /// Its bytes of a decoded payload; none if it is too short, which is another file's.
+    #[must_use]
+    pub fn of<'a>(&self, payload: &'a [u8]) -> Option<&'a [u8]> {
+        slice(payload, self.offset, self.bytes)
+    }
 }
 
 /// What becomes of the curvature of a mesh: vertex attributes, because a vertex stage may have no storage buffer.
@@ -41,11 +48,7 @@ impl CurvaturePlan {
         limits: &DeviceLimits,
     ) -> Result<Option<Self>, PlanError> {
         let Some((descriptor, section)) = reader.curvature() else { return Ok(None) };
-        let payload_offset = match section.codec() {
-            Some(Codec::Raw) => Some(section.payload_offset()),
-            Some(Codec::Zstd) if cfg!(feature = "zstd") => None,
-            _ => return Err(codec_error(section.kind(), section.codec_number())),
-        };
+        let payload_offset = payload_offset(&section)?;
         let mut columns = Vec::new();
         for layout in descriptor.columns().filter(|layout| selection.has_column(layout.column)) {
             let (column, most) = (layout.column, limits.max_buffer);

@@ -5,6 +5,7 @@ use std::fmt;
 use barchan_asset::{CurvatureColumn, SectionKind, Semantic};
 
 use super::DeviceLimits;
+use crate::ReadError;
 
 /// Why an upload cannot be planned: one sentence each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,7 +24,9 @@ pub enum PlanError {
         field: &'static str,
         /// What was asked for.
         found: u32,
-        /// The most that is accepted; 1 is the least.
+        /// The least that is accepted.
+        least: u32,
+        /// The most that is accepted.
         most: u32,
     },
     /// A texture that the device cannot hold in any shape.
@@ -57,26 +60,26 @@ impl fmt::Display for PlanError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Missing { table } => write!(f, "table {} is not in the file", table.kind()),
-            Self::Part { table, field, found, most } => {
-                write!(f, "table {}: {field} is {found}; 1 to {most} are accepted", table.kind())
+            Self::Part { table, field, found, least, most } => {
+                write!(f, "table {}: {field} is {found}; {least} to {most} is accepted", table.kind())
             }
             Self::TooLarge { table, extent: (width, height, layers), limits } => write!(
                 f,
-                "table {} is {width} × {height} texels of {layers} layers; the device holds {} × {} of {} layers, or {} along each \
-                 side of a volume",
+                "table {} needs a texture of {width} × {height} texels and {layers} layers; the device has {side} × {side} texels and {} \
+                 layers at most, or a volume of {} along each side; bake it smaller, or load a part of it",
                 table.kind(),
-                limits.max_2d,
-                limits.max_2d,
                 limits.max_layers,
-                limits.max_3d
+                limits.max_3d,
+                side = limits.max_2d,
             ),
             Self::Buffer { column, bytes, most } => {
-                write!(f, "curvature column {} has {bytes} bytes; the device's buffers hold {most}", column.name())
+                write!(
+                    f,
+                    "curvature column {} needs a buffer of {bytes} bytes; the device has {most} at most",
+                    column.name()
+                )
             }
-            Self::Codec { kind, found } => write!(
-                f,
-                "section {kind} is stored with codec {found}; 0 (raw) is accepted, and 1 (zstd) where the feature `zstd` is on"
-            ),
+            Self::Codec { kind, found } => write!(f, "{}", ReadError::Codec { kind: *kind, found: *found }),
         }
     }
 }

@@ -13,14 +13,22 @@ pub struct DeviceLimits {
     pub filters_float32: bool,
     /// Bytes of a buffer.
     pub max_buffer: u64,
+    /// Whether a square texture of six layers, or a multiple of six, is taken for the sides of cubes, as `wgpu` does over OpenGL.
+    /// Such tables become volumes.
+    pub guesses_cubes: bool,
 }
 
 impl DeviceLimits {
     /// What every WebGPU device has.
-    pub const WEBGPU: Self =
-        Self { max_2d: 8192, max_3d: 2048, max_layers: 256, filters_float32: false, max_buffer: 1 << 28 };
+    pub const WEBGPU: Self = Self {
+        max_2d: 8192,
+        max_3d: 2048,
+        max_layers: 256,
+        filters_float32: false,
+        max_buffer: 1 << 28,
+        guesses_cubes: false,
+    };
 
-    /// What a WebGL2-class device has.
-    pub const WEBGL2: Self =
-        Self { max_2d: 2048, max_3d: 256, max_layers: 256, filters_float32: false, max_buffer: 1 << 28 };
+    /// What every WebGL 2 and OpenGL ES 3 device has.
+    pub const WEBGL2: Self = Self { max_2d: 2048, max_3d: 256, guesses_cubes: true, ..Self::WEBGPU };
 }

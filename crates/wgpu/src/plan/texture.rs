@@ -1,18 +1,19 @@
 //! A table of texels as a texture.
 
-use barchan_asset::{Azimuths, Codec, Component, Filter, Format, SectionKind, Semantic, TextureDescriptor};
+use barchan_asset::{Component, Filter, Format, Semantic, TextureDescriptor, Wrap};
 
-use super::{DeviceLimits, PlanError};
+use super::layers::ChosenLayers;
+use super::{DeviceLimits, PlanError, payload_offset, slice};
 use crate::{TablePart, TextureSection};
 
 /// What kind of texture a table becomes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Shape {
-    /// One picture, or the mip levels of one.
+    /// A 2-D texture: one picture, or the mip levels of one.
     D2,
-    /// A layer of a 2-D texture for each layer.
+    /// A layer of a 2-D array texture for each layer.
     D2Array,
-    /// A slice of a volume for each layer: where there are more layers than a 2-D texture may have.
+    /// A slice of a volume for each layer: where there are more layers than a 2-D array texture may have.
     D3,
 }
 
@@ -35,6 +36,14 @@ pub struct TextureCopy {
     pub level: u32,
 }
 
+impl TextureCopy {
+    /// Its bytes of a decoded payload; none if it is too short, which is another file's.
+    #[must_use]
+    pub fn of<'a>(&self, payload: &'a [u8]) -> Option<&'a [u8]> {
+        slice(payload, self.offset, self.bytes)
+    }
+}
+
 /// What becomes of a table of texels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TexturePlan {
@@ -54,7 +63,7 @@ pub struct TexturePlan {
     pub levels: u32,
     /// The level of the table that is the texture's finest.
     pub first_level: u32,
-    /// Whether the device can filter it, and its values may be filtered.
+    /// Whether the plan's sampler may filter it: the device can, the values may be, and the edges are the sampler's.
     pub is_filterable: bool,
     /// Where the decoded payload begins in the file; nothing for a section that has to be decoded first.
     pub payload_offset: Option<u64>,
@@ -69,11 +78,7 @@ impl TexturePlan {
         limits: &DeviceLimits,
     ) -> Result<Self, PlanError> {
         let (stored, section) = (texture.descriptor, texture.section);
-        let payload_offset = match section.codec() {
-            Some(Codec::Raw) => Some(section.payload_offset()),
-            Some(Codec::Zstd) if cfg!(feature = "zstd") => None,
-            _ => return Err(codec_error(section.kind(), section.codec_number())),
-        };
+        let payload_offset = payload_offset(&section)?;
         let chosen = ChosenLayers::new(&stored, part)?;
         let first_level = chosen.first_level;
         let levels = stored.mips - first_level;
@@ -96,6 +101,11 @@ impl TexturePlan {
         })
     }
 
+    /// What lies beyond its edges along u and v.
+    pub(super) fn edges(&self) -> (Wrap, Wrap) {
+        (self.descriptor.wrap_u, self.descriptor.wrap_v)
+    }
+
     /// Bytes that are uploaded.
     #[must_use]
     pub fn bytes(&self) -> u64 {
@@ -103,90 +113,14 @@ impl TexturePlan {
     }
 }
 
-pub(super) fn codec_error(kind: SectionKind, found: u16) -> PlanError {
-    PlanError::Codec { kind, found }
-}
-
-/// The layers and levels of a table that are loaded.
-struct ChosenLayers {
-    /// How many candidates or rings there are of each azimuth.
-    groups: u32,
-    azimuths: (u32, u32),
-    all_azimuths: u32,
-    first_level: u32,
-}
-
-impl ChosenLayers {
-    fn new(stored: &TextureDescriptor, part: &TablePart) -> Result<Self, PlanError> {
-        let table = stored.semantic;
-        let within = |field, found: u32, most: u32| match (1..=most).contains(&found) {
-            true => Ok(found),
-            false => Err(PlanError::Part { table, field, found, most }),
-        };
-        let all_azimuths = stored.azimuths().map_or(stored.layers, |azimuths| azimuths.count());
-        let azimuths = match part.azimuths.filter(|_| table.is_directional()) {
-            None => (0, all_azimuths),
-            Some((first, count)) => {
-                let is_circle = stored.azimuths().is_some_and(|azimuths| azimuths.is_full_circle());
-                within("first azimuth + 1", first.saturating_add(1), all_azimuths)?;
-                let most = if is_circle { all_azimuths } else { all_azimuths - first };
-                (first, within("azimuths", count, most)?)
-            }
-        };
-        let groups = match (stored.candidates, stored.rings) {
-            (0, 0) => 1,
-            (0, rings) => within("rings", part.rings.unwrap_or(rings), rings)?,
-            (candidates, _) => within("candidates", part.candidates.unwrap_or(candidates), candidates)?,
-        };
-        let first_level = if stored.mips > 1 { part.first_level } else { 0 };
-        within("levels left out + 1", first_level.saturating_add(1), stored.mips)?;
-        Ok(Self { groups, azimuths, all_azimuths, first_level })
-    }
-
-    fn count(&self) -> u32 {
-        self.groups * self.azimuths.1
-    }
-
-    /// The layers of the table, in the order of the texture's.
-    fn layers(&self) -> impl Iterator<Item = u32> + '_ {
-        let (first, count) = self.azimuths;
-        (0..self.groups).flat_map(move |group| {
-            (0..count).map(move |azimuth| group * self.all_azimuths + (first + azimuth) % self.all_azimuths)
-        })
-    }
-
-    /// The descriptor of what is left.
-    fn descriptor(&self, stored: &TextureDescriptor) -> TextureDescriptor {
-        let mut left = *stored;
-        if self.azimuths.1 != self.all_azimuths
-            && let Some(azimuths) = stored.azimuths()
-        {
-            (left.first_azimuth, left.azimuth_step) = arc(&azimuths, self.azimuths);
-        }
-        if stored.candidates > 0 {
-            left.candidates = self.groups;
-        }
-        if stored.rings > 0 {
-            left.rings = self.groups;
-        }
-        left.layers = self.count();
-        left
-    }
-}
-
-/// The first azimuth and the step of a part of the azimuths.
-fn arc(azimuths: &Azimuths, (first, count): (u32, u32)) -> (f64, f64) {
-    let step = if count > 1 { azimuths.step_radians() } else { 0.0 };
-    (azimuths.radians(first), step)
-}
-
 fn shape(table: Semantic, extent: (u32, u32, u32), limits: &DeviceLimits) -> Result<Shape, PlanError> {
     let (width, height, layers) = extent;
     let side = width.max(height);
-    if side <= limits.max_2d && layers <= limits.max_layers {
-        return Ok(if table.is_directional() { Shape::D2Array } else { Shape::D2 });
+    let is_taken_for_cubes = limits.guesses_cubes && width == height && layers.is_multiple_of(6);
+    if side <= limits.max_2d && layers <= limits.max_layers && !is_taken_for_cubes {
+        return Ok(if layers > 1 { Shape::D2Array } else { Shape::D2 });
     }
-    if table.is_directional() && side.max(layers) <= limits.max_3d {
+    if layers > 1 && side.max(layers) <= limits.max_3d {
         return Ok(Shape::D3);
     }
     Err(PlanError::TooLarge { table, extent, limits: *limits })
