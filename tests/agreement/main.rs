@@ -4,6 +4,11 @@
 //! difference as pictures in `target/agreement/`. A machine without a GPU, not even a software one, fails every test; the message
 //! names what installs one.
 
+mod band;
 mod compare;
+mod curved;
+mod functions;
+mod horizon;
 mod penumbra;
 mod support;
+mod relief;

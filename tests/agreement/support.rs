@@ -4,8 +4,9 @@ use std::io::Cursor;
 use std::path::Path;
 use std::sync::OnceLock;
 
-use barchan_asset::{Asset, AssetWriter, Codec, DescriptorError, Semantic, TableGrid, TextureDescriptor, TextureTable};
-use barchan_asset::{LengthUnit, Wrap};
+use barchan_asset::{
+    Asset, AssetWriter, Codec, DescriptorError, LengthUnit, Semantic, TableGrid, TextureDescriptor, TextureTable, Wrap,
+};
 use barchan_field::{Edge, Shape, Spacing};
 use barchan_pipeline::{Plan, Recipe, Run, ShapeSource, Source, Table, TableEncoding};
 use barchan_shade::DirectionalLight;
@@ -19,6 +20,13 @@ pub(crate) const SAMPLINGS: [Sampling; 2] = [Sampling::Loaded, Sampling::Filtere
 /// Every encoding, as recipes name them.
 pub(crate) const ENCODINGS: [TableEncoding; 4] =
     [TableEncoding::F32, TableEncoding::F16, TableEncoding::U8, TableEncoding::Compact];
+
+/// What lies beyond the edges along u and along v.
+pub(crate) const WRAPS: [(&str, (Wrap, Wrap)); 3] = [
+    ("repeat", (Wrap::Repeat, Wrap::Repeat)),
+    ("clamp", (Wrap::Clamp, Wrap::Clamp)),
+    ("mixed", (Wrap::Repeat, Wrap::Clamp)),
+];
 
 /// The GPU of this machine, opened once. Without one the test fails, and says what installs one.
 pub(crate) fn gpu() -> &'static Gpu {
@@ -72,6 +80,11 @@ impl Loaded {
     ) -> V {
         let section = Asset::open(&self.bytes).unwrap().section(table.kind()).unwrap();
         view(section.texture().unwrap(), section.raw_payload().unwrap()).unwrap()
+    }
+
+    /// Whether the sampler interpolates a table's texels.
+    pub(crate) fn filters(&self, table: Semantic, sampling: Sampling) -> bool {
+        sampling == Sampling::Filtered && self.plan.texture(table).unwrap().is_filterable
     }
 
     /// The pass of the first of some techniques.

@@ -4,8 +4,10 @@
 mod bench;
 mod run;
 mod samples;
+mod shaders;
 mod test;
 mod tidy;
+mod tools;
 
 use std::process::ExitCode;
 
@@ -20,7 +22,9 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Everything that must hold before a commit: formatting, lints, tidiness, tests, docs
+    /// Install the programs that the tests need and that are missing, on Debian
+    Setup,
+    /// Everything that must hold before a commit: formatting, lints, tidiness, shaders, tests, docs
     Test,
     /// What the compiler cannot check: the crates' arrows, links in the docs, lints switched on, figures in the docs
     Tidy,
@@ -30,17 +34,21 @@ enum Task {
     Goldens,
     /// Write the published vectors that are missing; one that exists is never changed
     Vectors,
+    /// Write the published shaders and their translations to crates/wgpu/shaders, and have them compiled
+    Shaders,
     /// Measure speed and error, write the records and the tables of MEASUREMENTS.md
     Bench(bench::Options),
 }
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().task {
+        Task::Setup => tools::setup(),
         Task::Test => test::test(),
         Task::Tidy => tidy::tidy(),
         Task::Samples => samples::samples(),
         Task::Goldens => test::goldens(),
         Task::Vectors => run::cargo("run -p barchan-asset --features write --example write_vectors"),
+        Task::Shaders => shaders::shaders(),
         Task::Bench(options) => bench::bench(&options),
     };
     if let Err(error) = done {

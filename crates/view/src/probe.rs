@@ -97,21 +97,36 @@ impl<'a> ProbePass<'a> {
         sampling: Sampling,
     ) -> Result<Self, GpuError> {
         let shader = Shader::compose(plan, techniques, &ShaderOptions { group: 0, sampling, probes: true })?;
+        let entry_point = techniques.first().map_or("", |technique| technique.probe());
+        Self::of_shader(gpu, asset, &shader, "", entry_point)
+    }
+
+    /// The pass of a fragment stage in WGSL that stands behind a shader with probes, and calls what it has.
+    ///
+    /// # Errors
+    /// A device that refuses the shader.
+    pub fn of_shader(
+        gpu: &'a Gpu,
+        asset: &GpuAsset,
+        shader: &Shader,
+        more: &str,
+        entry_point: &str,
+    ) -> Result<Self, GpuError> {
+        let source = format!("{}{more}", shader.source());
         let probe = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("probe"),
             size: Shader::PROBE_BYTES as u64,
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let entry_point = techniques.first().map(|technique| technique.probe());
         let (pipeline, bind_group) = gpu.checked(|device| {
             let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
                 label: None,
                 entries: &shader.layout_entries(wgpu::ShaderStages::VERTEX_FRAGMENT),
             });
             let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: entry_point,
-                source: wgpu::ShaderSource::Wgsl(shader.source().into()),
+                label: Some(entry_point),
+                source: wgpu::ShaderSource::Wgsl(source.into()),
             });
             let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: None,
@@ -119,7 +134,7 @@ impl<'a> ProbePass<'a> {
                 immediate_size: 0,
             });
             let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                label: entry_point,
+                label: Some(entry_point),
                 layout: Some(&pipeline_layout),
                 vertex: wgpu::VertexState {
                     module: &module,
@@ -132,14 +147,14 @@ impl<'a> ProbePass<'a> {
                 multisample: wgpu::MultisampleState::default(),
                 fragment: Some(wgpu::FragmentState {
                     module: &module,
-                    entry_point,
+                    entry_point: Some(entry_point),
                     compilation_options: wgpu::PipelineCompilationOptions::default(),
                     targets: &[Some(FORMAT.into())],
                 }),
                 multiview_mask: None,
                 cache: None,
             });
-            let entries = asset.entries(&shader, Some(&probe));
+            let entries = asset.entries(shader, Some(&probe));
             let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: None,
                 layout: &layout,

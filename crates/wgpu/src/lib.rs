@@ -45,5 +45,11 @@ pub use plan::{ColumnPlan, CurvaturePlan, DeviceLimits, PlanError, Shape, Textur
 pub use reader::{ReadError, Reader, TextureSection};
 pub use selection::{Selection, TablePart};
 pub use shader::{
-    Binding, BindingKind, ComposeError, ReliefSearch, SEARCH_STEPS, Sampling, Shader, ShaderOptions, Technique,
+    Binding, BindingKind, ComposeError, ReliefSearch, SEARCH_BISECTIONS, SEARCH_STEPS, Sampling, Shader, ShaderOptions,
+    Technique,
 };
+
+/// What the README says compiles.
+#[cfg(all(doctest, feature = "device"))]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -26,8 +26,8 @@ use std::fmt;
 
 use barchan_asset::Semantic;
 
-use crate::{Shape, UploadPlan};
-pub use technique::{ReliefSearch, SEARCH_STEPS, Technique};
+use crate::{Shape, TexturePlan, UploadPlan};
+pub use technique::{ReliefSearch, SEARCH_BISECTIONS, SEARCH_STEPS, Technique};
 
 /// How a shader interpolates between texels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -104,12 +104,17 @@ pub enum ComposeError {
     /// Shadows of relief need a technique that finds relief.
     NoSearch,
     /// There is one way to find relief in a shader.
-    TwoSearches,
+    TwoSearches {
+        /// One that was named.
+        first: Technique,
+        /// Another one.
+        second: Technique,
+    },
 }
 
 impl Shader {
     /// Bytes of the uniform buffer of probes.
-    pub const PROBE_BYTES: usize = 128;
+    pub const PROBE_BYTES: usize = 112;
 
     /// The binding number of the uniform buffer of probes.
     pub const PROBE_BINDING: u32 = 14;
@@ -120,49 +125,32 @@ impl Shader {
     /// A technique whose tables are not in the plan, or techniques that do not go together.
     pub fn compose(plan: &UploadPlan, techniques: &[Technique], options: &ShaderOptions) -> Result<Self, ComposeError> {
         technique::check(techniques)?;
-        let mut tables: Vec<Semantic> = Vec::new();
-        let mut parts: Vec<&'static str> = vec![include_str!("wgsl/functions.wgsl"), include_str!("wgsl/table.wgsl")];
-        for technique in techniques {
-            for table in technique.tables(plan)? {
-                if !tables.contains(&table) {
-                    tables.push(table);
-                }
-            }
-        }
-        tables.sort_by_key(|table| table.number());
-        let has = |table| tables.contains(&table);
-        for part in techniques.iter().flat_map(|technique| technique.parts(&has, options.probes)) {
-            if !parts.contains(&part) {
-                parts.push(part);
-            }
-        }
-        let textures: Vec<_> = tables.iter().filter_map(|&table| plan.texture(table)).collect();
-        let is_filtered =
-            |texture: &&crate::TexturePlan| options.sampling == Sampling::Filtered && texture.is_filterable;
-        let (shared, of_techniques) = parts.split_at(2);
-        let mut source = shared.join("\n");
-        let mut bindings = vec![BindingKind::Parameters];
-        if textures.iter().any(is_filtered) {
+        let tables = technique::tables(techniques, plan)?;
+        let is_filtered = |texture: &TexturePlan| options.sampling == Sampling::Filtered && texture.is_filterable;
+        let textures = || tables.iter().filter_map(|&table| plan.texture(table));
+        let mut kinds = vec![BindingKind::Parameters];
+        let mut source = [include_str!("wgsl/functions.wgsl"), include_str!("wgsl/table.wgsl")].join("\n");
+        if textures().any(is_filtered) {
+            kinds.push(BindingKind::Sampler);
             source += access::SAMPLER;
-            bindings.push(BindingKind::Sampler);
         }
-        for texture in &textures {
-            let kind =
-                BindingKind::Texture { table: texture.table, shape: texture.shape, is_filtered: is_filtered(texture) };
-            source += &access::of_table(texture, is_filtered(texture));
-            bindings.push(kind);
+        for texture in textures() {
+            let (table, shape, is_filtered) = (texture.table, texture.shape, is_filtered(texture));
+            kinds.push(BindingKind::Texture { table, shape, is_filtered });
+            source += &access::of_table(texture, is_filtered);
         }
         source += &technique::constants(techniques);
-        for part in of_techniques {
+        for part in technique::parts(techniques, &tables, options.probes) {
             source += "\n";
             source += part;
         }
         if options.probes {
-            bindings.push(BindingKind::Probe);
+            kinds.push(BindingKind::Probe);
         }
         let group = options.group;
+        // No part has another group, nor a comment that names one.
         let source = source.replace("@group(0)", &format!("@group({group})"));
-        let bindings = bindings.into_iter().map(|kind| Binding { group, binding: kind.number(), kind }).collect();
+        let bindings = kinds.into_iter().map(|kind| Binding { group, binding: kind.number(), kind }).collect();
         Ok(Self { source, bindings })
     }
 
@@ -196,10 +184,13 @@ impl fmt::Display for ComposeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Missing { technique, table } => {
-                write!(f, "{} needs the table {}, which is not loaded", technique.name(), table.kind())
+                let table = table.kind().name().unwrap_or_default();
+                write!(f, "{} needs the table {table}, which is not loaded", technique.name())
             }
             Self::NoSearch => write!(f, "relief shadow needs a way to find relief; name a relief technique beside it"),
-            Self::TwoSearches => write!(f, "two ways to find relief are named; one is accepted"),
+            Self::TwoSearches { first, second } => {
+                write!(f, "{} and {} are both named; a shader finds relief in one way", first.name(), second.name())
+            }
         }
     }
 }

@@ -8,6 +8,9 @@ use crate::UploadPlan;
 /// Steps of the searches that have a fixed number, where nobody says otherwise.
 pub const SEARCH_STEPS: u32 = 64;
 
+/// Halvings of the last step, where nobody says otherwise.
+pub const SEARCH_BISECTIONS: u32 = 10;
+
 /// How relief is found, as in the CPU twin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ReliefSearch {
@@ -34,6 +37,21 @@ pub enum ReliefSearch {
     MaximumMip,
 }
 
+impl ReliefSearch {
+    /// The best that the tables of a plan allow: maximum mips, cone steps, relaxed cone steps, and linear search, which needs no table
+    /// but the heights. The first two are exact, and mips take fewer fetches.
+    #[must_use]
+    pub fn best_of(plan: &UploadPlan) -> Self {
+        let of_tables = [
+            (Semantic::MaximumHeight, Self::MaximumMip),
+            (Semantic::ConeMap, Self::ConeSteps),
+            (Semantic::RelaxedConeMap, Self::RelaxedConeSteps { bisections: SEARCH_BISECTIONS }),
+        ];
+        let linear = Self::Linear { steps: SEARCH_STEPS, bisections: SEARCH_BISECTIONS };
+        of_tables.into_iter().find(|(table, _)| plan.texture(*table).is_some()).map_or(linear, |(_, search)| search)
+    }
+}
+
 /// Something a shader can do. Each is a part of WGSL, and a twin in `barchan-shade`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Technique {
@@ -56,6 +74,20 @@ pub enum Technique {
 }
 
 impl Technique {
+    /// All that the tables of a plan allow, relief by the best search.
+    ///
+    /// Heights alone would allow relief too; it is among them only if a table was loaded that helps to find it.
+    #[must_use]
+    pub fn of_plan(plan: &UploadPlan) -> Vec<Self> {
+        let mut techniques =
+            vec![Self::Surface, Self::HorizonShadow, Self::CurvedShadow, Self::Penumbra, Self::Sky, Self::ApertureCone];
+        if plan.textures().iter().any(|texture| texture.table.is_relief_search()) {
+            techniques.extend([Self::Relief(ReliefSearch::best_of(plan)), Self::ReliefShadow]);
+        }
+        techniques.retain(|technique| technique.tables(plan).is_ok());
+        techniques
+    }
+
     /// What people call it.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -72,6 +104,31 @@ impl Technique {
             Self::Relief(ReliefSearch::RelaxedConeSteps { .. }) => "relief by relaxed cone steps",
             Self::Relief(ReliefSearch::MaximumMip) => "relief by maximum mip",
             Self::ReliefShadow => "relief shadow",
+        }
+    }
+
+    /// The functions of WGSL that a game calls, those for optional tables only where these are loaded. The others that a shader has are
+    /// what these are made of.
+    #[must_use]
+    pub fn functions(self) -> &'static [&'static str] {
+        match self {
+            Self::Surface => &["barchan_height_at", "barchan_surface_slopes", "barchan_surface_normal"],
+            Self::HorizonShadow => &["barchan_horizon_elevation", "barchan_horizon_in_shadow"],
+            Self::CurvedShadow => &[
+                "barchan_texture_step",
+                "barchan_bump_normal",
+                "barchan_tangent_light",
+                "barchan_curvature_along",
+                "barchan_curved_elevation",
+                "barchan_curved_in_shadow",
+            ],
+            Self::Penumbra => &["barchan_penumbra_visibility"],
+            Self::Sky => &["barchan_sky_visibility", "barchan_sky_irradiance", "barchan_sky_bent_normal"],
+            Self::ApertureCone => &["barchan_aperture_cone"],
+            Self::Relief(_) => {
+                &["barchan_relief_ray", "barchan_relief_ray_through", "barchan_relief_find", "barchan_relief_at"]
+            }
+            Self::ReliefShadow => &["barchan_relief_in_shadow"],
         }
     }
 
@@ -119,7 +176,7 @@ impl Technique {
     }
 
     /// The tables of a plan that it reads.
-    pub(super) fn tables(self, plan: &UploadPlan) -> Result<Vec<Semantic>, ComposeError> {
+    fn tables(self, plan: &UploadPlan) -> Result<Vec<Semantic>, ComposeError> {
         let is_loaded = |table: &Semantic| plan.texture(*table).is_some();
         if let Some(&table) = self.required().iter().find(|table| !is_loaded(table)) {
             return Err(ComposeError::Missing { technique: self, table });
@@ -132,7 +189,7 @@ impl Technique {
     }
 
     /// The parts of WGSL it is made of, those it stands on first; `has` tells which tables are bound.
-    pub(super) fn parts(self, has: &dyn Fn(Semantic) -> bool, probes: bool) -> Vec<&'static str> {
+    fn parts(self, has: &dyn Fn(Semantic) -> bool, probes: bool) -> Vec<&'static str> {
         let mut parts = match self {
             Self::Surface => vec![include_str!("wgsl/surface.wgsl")],
             Self::HorizonShadow => vec![include_str!("wgsl/azimuths.wgsl"), include_str!("wgsl/horizon.wgsl")],
@@ -201,19 +258,43 @@ fn relief_parts(search: ReliefSearch, has: &dyn Fn(Semantic) -> bool) -> Vec<&'s
     [include_str!("wgsl/relief.wgsl"), start].into_iter().chain(search).chain(ends).collect()
 }
 
-/// Techniques that go together.
+/// Techniques that go together: one way to find relief, and one where its shadows need it.
 pub(super) fn check(techniques: &[Technique]) -> Result<(), ComposeError> {
-    let searches = techniques.iter().filter(|technique| matches!(technique, Technique::Relief(_))).count();
-    if searches > 1 {
-        return Err(ComposeError::TwoSearches);
+    let mut searches = techniques.iter().copied().filter(|technique| matches!(technique, Technique::Relief(_)));
+    let Some(first) = searches.next() else {
+        let has_shadow = techniques.contains(&Technique::ReliefShadow);
+        return if has_shadow { Err(ComposeError::NoSearch) } else { Ok(()) };
+    };
+    match searches.find(|&search| search != first) {
+        Some(second) => Err(ComposeError::TwoSearches { first, second }),
+        None => Ok(()),
     }
-    if searches == 0 && techniques.contains(&Technique::ReliefShadow) {
-        return Err(ComposeError::NoSearch);
-    }
-    Ok(())
 }
 
-/// The numbers of searches.
+/// The tables that the techniques read, by number.
+pub(super) fn tables(techniques: &[Technique], plan: &UploadPlan) -> Result<Vec<Semantic>, ComposeError> {
+    let mut tables = Vec::new();
+    for technique in techniques {
+        tables.extend(technique.tables(plan)?);
+    }
+    tables.sort_by_key(|table| table.number());
+    tables.dedup();
+    Ok(tables)
+}
+
+/// The parts of the techniques, each once, those that others stand on first.
+pub(super) fn parts(techniques: &[Technique], tables: &[Semantic], probes: bool) -> Vec<&'static str> {
+    let has = |table| tables.contains(&table);
+    let mut parts = Vec::new();
+    for part in techniques.iter().flat_map(|technique| technique.parts(&has, probes)) {
+        if !parts.contains(&part) {
+            parts.push(part);
+        }
+    }
+    parts
+}
+
+/// The numbers of a search that has any.
 pub(super) fn constants(techniques: &[Technique]) -> String {
     let of = |technique: &Technique| match *technique {
         Technique::Relief(ReliefSearch::Linear { steps, bisections }) => Some((steps, bisections)),

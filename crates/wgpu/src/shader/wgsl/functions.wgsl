@@ -11,7 +11,7 @@ fn barchan_arcsine(sine: f32) -> f32 {
     let root = select(size, sqrt(square), is_steep);
     let series = ((((4.2163199048e-2 * square + 2.4181311049e-2) * square + 4.5470025998e-2) * square
         + 7.4953002686e-2) * square + 1.6666752422e-1) * square * root + root;
-    let angle = select(series, 1.5707962513 - 2.0 * series, is_steep);
+    let angle = select(series, 1.5707963268 - 2.0 * series, is_steep);
     return select(angle, -angle, sine < 0.0);
 }
 

@@ -145,11 +145,11 @@ fn barchan_relief_cell_of(ray: BarchanReliefRay, low: vec2<i32>, high: vec2<i32>
 // Where a ray leaves a block, from the columns and rows `low` up to, but without, `high`; `start` at the earliest, 1 at the latest.
 fn barchan_relief_exit(ray: BarchanReliefRay, low: vec2<i32>, high: vec2<i32>, start: f32) -> BarchanReliefExit {
     let moves = ray.step != vec2<f32>(0.0);
-    let ends = vec2<f32>(select(low, high, ray.step > vec2<f32>(0.0)));
+    let ends = vec2<f32>(barchan_chosen(low, high, ray.step > vec2<f32>(0.0)));
     let borders = select(vec2<f32>(1e30), (ends - ray.place) / select(vec2<f32>(1.0), ray.step, moves), moves);
     let depth = min(max(min(borders.x, borders.y), start), 1.0);
     var next = barchan_relief_cell_of(ray, low, high, depth);
-    let behind = select(high, low - 1, ray.step < vec2<f32>(0.0));
+    let behind = barchan_chosen(high, low - 1, ray.step < vec2<f32>(0.0));
     if borders.x <= borders.y {
         next.x = behind.x;
     } else {

@@ -50,7 +50,12 @@ fn barchan_inside(table: u32, place: vec2<i32>, level: i32) -> vec2<i32> {
     let edges = barchan_tables[table].edges;
     let repeated = ((place % extent) + extent) % extent;
     let clamped = clamp(place, vec2<i32>(0), extent - 1);
-    return select(clamped, repeated, vec2<bool>((edges & 1u) != 0u, (edges & 2u) != 0u));
+    return barchan_chosen(clamped, repeated, vec2<bool>((edges & 1u) != 0u, (edges & 2u) != 0u));
+}
+
+// `select` of whole numbers, number by number, which GLSL ES 3 does not have.
+fn barchan_chosen(other: vec2<i32>, chosen: vec2<i32>, is_chosen: vec2<bool>) -> vec2<i32> {
+    return vec2<i32>(select(other.x, chosen.x, is_chosen.x), select(other.y, chosen.y, is_chosen.y));
 }
 
 fn barchan_scaled(table: u32, stored: f32) -> f32 {

@@ -1,0 +1,275 @@
+// Functions of angles to a few ulp: of those built in, Vulkan promises 2⁻¹¹ for sines and 4096 ulp for arcs.
+//
+// Polynomials: Stephen Moshier, Cephes mathematical library, 1989.
+
+// The angle of a sine, within ±π/2.
+fn barchan_arcsine(sine: f32) -> f32 {
+    let size = min(abs(sine), 1.0);
+    // Beyond ½ the half-angle: asin s = π/2 − 2 asin √((1 − s) / 2).
+    let is_steep = size > 0.5;
+    let square = select(size * size, 0.5 * (1.0 - size), is_steep);
+    let root = select(size, sqrt(square), is_steep);
+    let series = ((((4.2163199048e-2 * square + 2.4181311049e-2) * square + 4.5470025998e-2) * square
+        + 7.4953002686e-2) * square + 1.6666752422e-1) * square * root + root;
+    let angle = select(series, 1.5707963268 - 2.0 * series, is_steep);
+    return select(angle, -angle, sine < 0.0);
+}
+
+// The azimuth of a direction, in radians: 0 along +u, counter-clockwise.
+fn barchan_azimuth(direction: vec2<f32>) -> f32 {
+    let size = abs(direction);
+    let larger = max(size.x, size.y);
+    if !(larger > 0.0) {
+        return 0.0;
+    }
+    let sine = min(size.x, size.y) / larger;
+    let octant = barchan_arctangent(sine);
+    let quadrant = select(octant, 1.5707963268 - octant, size.y > size.x);
+    let half = select(quadrant, 3.1415926536 - quadrant, direction.x < 0.0);
+    return select(half, -half, direction.y < 0.0);
+}
+
+// The angle of a tangent, within ±π/2.
+fn barchan_arctangent(tangent: f32) -> f32 {
+    let size = abs(tangent);
+    var start = 0.0;
+    var part = size;
+    if size > 2.414213562 {
+        start = 1.5707963268;
+        part = -1.0 / size;
+    } else if size > 0.4142135624 {
+        start = 0.7853981634;
+        part = (size - 1.0) / (size + 1.0);
+    }
+    let square = part * part;
+    let angle = start + ((((8.05374449538e-2 * square - 1.38776856032e-1) * square + 1.99777106478e-1) * square
+        - 3.33329491539e-1) * square * part + part);
+    return select(angle, -angle, tangent < 0.0);
+}
+
+// The sine and the cosine of an angle within ±π.
+fn barchan_sine_cosine(angle: f32) -> vec2<f32> {
+    // To the nearest quarter turn, whose digits are taken off in three parts.
+    let quarter = round(angle * 0.6366197724);
+    let rest = ((angle - quarter * 1.5703125) - quarter * 4.837512969970703e-4) - quarter * 7.549789948768648e-8;
+    let square = rest * rest;
+    let sine = ((-1.9515295891e-4 * square + 8.3321608736e-3) * square - 1.6666654611e-1) * square * rest + rest;
+    let cosine = ((2.443315711809948e-5 * square - 1.388731625493765e-3) * square + 4.166664568298827e-2) * square * square
+        - 0.5 * square + 1.0;
+    let turned = i32(quarter) & 3;
+    let swapped = select(vec2<f32>(sine, cosine), vec2<f32>(cosine, sine), (turned & 1) != 0);
+    return vec2<f32>(
+        select(swapped.x, -swapped.x, turned >= 2),
+        select(swapped.y, -swapped.y, turned == 1 || turned == 2),
+    );
+}
+
+// What an asset's tables are, and what all of them share.
+
+// The numbers of a table; 96 bytes.
+struct BarchanTable {
+    // Texels along u and v.
+    extent: vec2<f32>,
+    // Length per texel along u and v.
+    spacing: vec2<f32>,
+    // A value is the transfer of scale · stored + bias.
+    scale: f32,
+    bias: f32,
+    // 0: none, 1: the arcsine, 2: the square.
+    transfer: u32,
+    // Bit 0: it repeats along u, bit 1: along v. Otherwise the outermost texel goes on.
+    edges: u32,
+    // The azimuth of layer 0, in radians counter-clockwise from +u, and from one to the next.
+    first_azimuth: f32,
+    azimuth_step: f32,
+    azimuths: u32,
+    // 1 where the last azimuth is followed by the first.
+    is_circle: u32,
+    // Layers per azimuth of a swept table, and of a hemisphere table.
+    candidates: u32,
+    rings: u32,
+    // 1: rings of equal angles, 2: of squared tangents.
+    ring_spacing: u32,
+    // 1: depths of the nearest ray, 2: conservative.
+    depth_mode: u32,
+    // The tangent of the polar angle at which the last ring ends, and the angle.
+    max_tangent: f32,
+    max_polar: f32,
+    // The height of depth 0, and from there down to depth 1.
+    relief_top: f32,
+    relief_thickness: f32,
+    // The level of the table that is the texture's finest, and how many there are from there.
+    first_level: u32,
+    levels: u32,
+    // The least and the greatest value.
+    least: f32,
+    greatest: f32,
+}
+
+@group(0) @binding(0) var<uniform> barchan_tables: array<BarchanTable, 12>;
+
+// The texel of a level that stands for a place inside or beyond the edges.
+fn barchan_inside(table: u32, place: vec2<i32>, level: i32) -> vec2<i32> {
+    let first = barchan_tables[table].first_level;
+    let whole = vec2<i32>(barchan_tables[table].extent);
+    let extent = max(whole >> vec2<u32>(first + u32(level)), vec2<i32>(1));
+    let edges = barchan_tables[table].edges;
+    let repeated = ((place % extent) + extent) % extent;
+    let clamped = clamp(place, vec2<i32>(0), extent - 1);
+    return barchan_chosen(clamped, repeated, vec2<bool>((edges & 1u) != 0u, (edges & 2u) != 0u));
+}
+
+// `select` of whole numbers, number by number, which GLSL ES 3 does not have.
+fn barchan_chosen(other: vec2<i32>, chosen: vec2<i32>, is_chosen: vec2<bool>) -> vec2<i32> {
+    return vec2<i32>(select(other.x, chosen.x, is_chosen.x), select(other.y, chosen.y, is_chosen.y));
+}
+
+fn barchan_scaled(table: u32, stored: f32) -> f32 {
+    return barchan_tables[table].scale * stored + barchan_tables[table].bias;
+}
+
+fn barchan_scaled_2(table: u32, stored: vec2<f32>) -> vec2<f32> {
+    return barchan_tables[table].scale * stored + barchan_tables[table].bias;
+}
+
+fn barchan_scaled_4(table: u32, stored: vec4<f32>) -> vec4<f32> {
+    return barchan_tables[table].scale * stored + barchan_tables[table].bias;
+}
+
+fn barchan_scaled_cone(table: u32, stored: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(stored.x, barchan_scaled(table, stored.y));
+}
+
+fn barchan_transferred(table: u32, number: f32) -> f32 {
+    switch barchan_tables[table].transfer {
+        case 1u: { return barchan_arcsine(number); }
+        case 2u: { return number * number; }
+        default: { return number; }
+    }
+}
+
+fn barchan_transferred_2(table: u32, number: vec2<f32>) -> vec2<f32> {
+    return number;
+}
+
+fn barchan_transferred_4(table: u32, number: vec4<f32>) -> vec4<f32> {
+    return number;
+}
+
+fn barchan_transferred_cone(table: u32, number: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(number.x, barchan_transferred(table, number.y));
+}
+
+// Linear, with the edges of the tables as address modes.
+@group(0) @binding(1) var barchan_sampler: sampler;
+
+@group(0) @binding(7) var barchan_sky_visibility_texels: texture_2d<f32>;
+
+const BARCHAN_SKY_VISIBILITY: u32 = 5u;
+
+fn barchan_sky_visibility_before_transfer(place: vec2<i32>, layer: i32) -> f32 {
+    let texel = barchan_inside(BARCHAN_SKY_VISIBILITY, place, 0);
+    return barchan_scaled(BARCHAN_SKY_VISIBILITY, textureLoad(barchan_sky_visibility_texels, texel, layer).x);
+}
+
+fn barchan_sky_visibility_texel(place: vec2<i32>, layer: i32) -> f32 {
+    return barchan_transferred(BARCHAN_SKY_VISIBILITY, barchan_sky_visibility_before_transfer(place, layer));
+}
+
+fn barchan_sky_visibility_at(place: vec2<f32>, layer: i32) -> f32 {
+    let uv = (place + 0.5) / barchan_tables[BARCHAN_SKY_VISIBILITY].extent;
+    let stored = textureSampleLevel(barchan_sky_visibility_texels, barchan_sampler, uv, 0.0).x;
+    return barchan_transferred(BARCHAN_SKY_VISIBILITY, barchan_scaled(BARCHAN_SKY_VISIBILITY, stored));
+}
+
+@group(0) @binding(8) var barchan_bent_normal_texels: texture_2d<f32>;
+
+const BARCHAN_BENT_NORMAL: u32 = 6u;
+
+fn barchan_bent_normal_before_transfer(place: vec2<i32>, layer: i32) -> vec2<f32> {
+    let texel = barchan_inside(BARCHAN_BENT_NORMAL, place, 0);
+    return barchan_scaled_2(BARCHAN_BENT_NORMAL, textureLoad(barchan_bent_normal_texels, texel, layer).xy);
+}
+
+fn barchan_bent_normal_texel(place: vec2<i32>, layer: i32) -> vec2<f32> {
+    return barchan_transferred_2(BARCHAN_BENT_NORMAL, barchan_bent_normal_before_transfer(place, layer));
+}
+
+fn barchan_bent_normal_at(place: vec2<f32>, layer: i32) -> vec2<f32> {
+    let uv = (place + 0.5) / barchan_tables[BARCHAN_BENT_NORMAL].extent;
+    let stored = textureSampleLevel(barchan_bent_normal_texels, barchan_sampler, uv, 0.0).xy;
+    return barchan_transferred_2(BARCHAN_BENT_NORMAL, barchan_scaled_2(BARCHAN_BENT_NORMAL, stored));
+}
+
+// The mean direction of the visible sky: Hayden Landis, Production-ready global illumination, 2002.
+
+// The bent normal, a unit vector in the frame (u, v up the picture, height). Components along u and v are stored.
+fn barchan_sky_bent_normal(place: vec2<f32>) -> vec3<f32> {
+    let level = barchan_bent_normal_at(place, 0);
+    return vec3<f32>(level, sqrt(max(1.0 - dot(level, level), 0.0)));
+}
+
+// How bright an overcast sky is there, over the zenith: a third at the horizon.
+fn barchan_sky_brightness(place: vec2<f32>) -> f32 {
+    return (1.0 + 2.0 * barchan_sky_bent_normal(place).z) / 3.0;
+}
+
+// The light of an overcast sky on a place that sees a part of it.
+//
+// Such a sky is three times as bright at the zenith as at the horizon: L(θ) = L₀ (1 + 2 sin θ) / 3 at the elevation θ, Parry Moon,
+// Domina Spencer, Illumination from a nonuniform sky, 1942. Its irradiance is π times the visible share of the sky times its mean
+// brightness there, which is taken in the mean direction of the visible sky.
+
+// The visible share of the sky, weighted by the cosine to the surface normal: 0 to 1.
+fn barchan_sky_visibility(place: vec2<f32>) -> f32 {
+    return barchan_sky_visibility_at(place, 0);
+}
+
+// The irradiance over that of a level place in the open under a sky as bright as the zenith: 0 to 1.
+fn barchan_sky_irradiance(place: vec2<f32>) -> f32 {
+    return barchan_sky_visibility(place) * barchan_sky_brightness(place);
+}
+
+// Probes draw the numbers of a technique: one place a pixel, for tests, benches and first light.
+
+struct BarchanProbe {
+    // The place of the first pixel's centre, in texels, and from a pixel to the next, columns and rows.
+    place: vec2<f32>,
+    step: vec2<f32>,
+    // A unit vector towards the light in the frame of the table, and the angular radius of its disc in radians.
+    light: vec3<f32>,
+    angular_radius: f32,
+    // A unit vector towards the eye in the frame of the table, and how far away the light is along the base plane.
+    eye: vec3<f32>,
+    level_distance: f32,
+    // The first fundamental form of the base, and the part of the relief's depth that shadows tolerate.
+    first_form: vec3<f32>,
+    tolerance: f32,
+    // Its second.
+    second_form: vec3<f32>,
+    unused_0: f32,
+    // Pu and Pv in the space of the light, whose third axis is the normal.
+    along_u: vec3<f32>,
+    unused_1: f32,
+    along_v: vec3<f32>,
+    unused_2: f32,
+}
+
+@group(0) @binding(14) var<uniform> barchan_probe: BarchanProbe;
+
+// One triangle over all of the target.
+@vertex
+fn barchan_probe_vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
+    return vec4<f32>(f32(index & 1u) * 4.0 - 1.0, f32(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
+}
+
+fn barchan_probe_place(position: vec4<f32>) -> vec2<f32> {
+    return barchan_probe.place + floor(position.xy) * barchan_probe.step;
+}
+
+// The visible share of the sky, the irradiance, and the bent normal along u and v.
+@fragment
+fn barchan_probe_sky(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    let place = barchan_probe_place(position);
+    return vec4<f32>(barchan_sky_visibility(place), barchan_sky_irradiance(place), barchan_sky_bent_normal(place).xy);
+}
