@@ -65,7 +65,9 @@ pub(crate) fn of_horizons(encoding: Encoding) -> Vec<Case> {
 /// What there is to do with relief: every search from both starts at both angles, and its shadow.
 pub(crate) fn of_relief() -> Vec<Case> {
     let mut cases = Vec::new();
-    for (search, feed) in Search::ALL.into_iter().flat_map(|search| [Feed::Top, Feed::Conservative].map(|f| (search, f))) {
+    for (search, feed) in
+        Search::ALL.into_iter().flat_map(|search| [Feed::Top, Feed::Conservative].map(|f| (search, f)))
+    {
         let technique = Technique::Relief(on_gpu(search));
         let starts = if feed == Feed::Top { &[][..] } else { &[Semantic::HemisphereDepth] };
         let tables = [technique.required(), starts].concat();

@@ -85,7 +85,8 @@ impl Uploads {
         let file = File { bytes: &bytes, gpu, limits: DeviceLimits::of(&gpu.device), extent: (side, layers) };
         let mut contestants = file.contestants();
         let timings = race(&mut contestants, &self.pace, observe)?;
-        let records = contestants.iter().zip(timings).map(|(contestant, timing)| file.record(&contestant.name, &timing));
+        let records =
+            contestants.iter().zip(timings).map(|(contestant, timing)| file.record(&contestant.name, &timing));
         Ok(records.collect())
     }
 }
@@ -176,7 +177,8 @@ impl<'a> File<'a> {
                 view_formats: &[],
             })
         })?;
-        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * side), rows_per_image: Some(side) };
+        let layout =
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * side), rows_per_image: Some(side) };
         let count = 4 * side as usize * side as usize * layers as usize;
         let texels = &self.bytes[self.bytes.len().saturating_sub(count)..];
         self.gpu.queue.write_texture(texture.as_image_copy(), texels, layout, size);

@@ -20,7 +20,8 @@
 //! it: [`horizon_speed`], [`horizon_accuracy`], [`horizon_shadow`], [`horizon_curvature`] of height fields,
 //! [`curved_effect`], [`curved_shadow`] of relief on curved surfaces, [`curvature_accuracy`], [`curvature_speed`],
 //! [`curvature_interpolation`] of meshes, [`hemisphere_paper`], [`relief_search`], [`relief_start`],
-//! [`hemisphere_occlusion`], [`hemisphere_speed`] of relief mapping, [`gpu_time`], [`gpu_upload`], [`gpu_size`] of the reader; how its records read in the docs is in [`report`], and as pictures in [`chart`].
+//! [`hemisphere_occlusion`], [`hemisphere_speed`] of relief mapping, [`gpu_time`], [`gpu_upload`], [`gpu_size`] of the reader on a
+//! GPU; how its records read in the docs is in [`report`], and as pictures in [`chart`].
 
 pub mod bandwidth;
 pub mod chart;

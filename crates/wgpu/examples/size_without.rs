@@ -29,7 +29,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         },
     ];
     let visibility = wgpu::ShaderStages::VERTEX_FRAGMENT;
-    let layout = (0..).zip(types).map(|(binding, ty)| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None });
+    let layout =
+        (0..).zip(types).map(|(binding, ty)| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None });
     let resources = [
         numbers.as_entire_binding(),
         wgpu::BindingResource::Sampler(&sampler),

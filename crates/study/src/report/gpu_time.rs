@@ -63,7 +63,9 @@ fn relief(file: &RecordFile, devices: &[&str]) -> String {
         let mut row = vec![search.name().replace('_', " ")];
         for device in devices {
             let records = of_device(&file.records, device);
-            for (technique, angle) in ANGLES.map(|angle| ("relief", angle)).into_iter().chain([("relief_shadow", ANGLES[0])]) {
+            for (technique, angle) in
+                ANGLES.map(|angle| ("relief", angle)).into_iter().chain([("relief_shadow", ANGLES[0])])
+            {
                 row.extend(STARTS.map(|(feed, _)| {
                     let angle = angle.to_string();
                     let words = [("search", search.name()), ("start", feed.name()), ("angle", &angle)];
@@ -135,7 +137,10 @@ mod tests {
         };
         let records = [of("llvmpipe (LLVM 19)", Some(10.0)), of("Clockless", None)].concat();
         let text = render(&RecordFile { machine: String::new(), records });
-        assert!(text.contains("| ns per pixel | llvmpipe: filtered | llvmpipe: loaded | Clockless: filtered |"), "{text}");
+        assert!(
+            text.contains("| ns per pixel | llvmpipe: filtered | llvmpipe: loaded | Clockless: filtered |"),
+            "{text}"
+        );
         assert!(text.contains("| surface | 10.0 | 10.0 | – | – |\n"), "{text}");
         assert!(text.contains("| horizon shadow, f16 | 10.0 | 20.0 | – | – |\n"), "{text}");
         assert!(text.contains("| linear | 10.0 | – | – |") && text.contains("nothing is said"), "{text}");

@@ -23,7 +23,8 @@ pub(super) fn render(file: &RecordFile) -> String {
 }
 
 fn of_gpu(device: &str, records: &[&Record]) -> String {
-    let sizes = distinct(records.iter().filter(|record| record.technique == "upload").filter_map(|record| record.bytes));
+    let sizes =
+        distinct(records.iter().filter(|record| record.technique == "upload").filter_map(|record| record.bytes));
     let titles = ["file", "open and plan: µs"].into_iter().chain(STEPS.map(|(_, title)| title));
     let mut table = Table::new(titles);
     for &bytes in &sizes {
@@ -75,11 +76,15 @@ mod tests {
             wall_ns: Some(ns),
             ..Record::default()
         };
-        let measured = [record("open", 1 << 20, 2500.0), record("upload", 1 << 20, 0.2), record("upload", 1 << 29, 0.8)];
+        let measured =
+            [record("open", 1 << 20, 2500.0), record("upload", 1 << 20, 0.2), record("upload", 1 << 29, 0.8)];
         let records = Bandwidth { threads: 1, copy: 12.5, triad: 9.0 }.records().into_iter().chain(measured);
         let on_gpu = |record| Record { device: Some("a GPU".to_owned()), is_software: Some(true), ..record };
         let text = render(&RecordFile { machine: String::new(), records: records.map(on_gpu).collect() });
-        assert!(text.contains("| 1.00 MiB | 2.50 | 5.00 | – | – | – |\n| 512 MiB | – | 1.25 | – | – | – |\n"), "{text}");
+        assert!(
+            text.contains("| 1.00 MiB | 2.50 | 5.00 | – | – | – |\n| 512 MiB | – | 1.25 | – | – | – |\n"),
+            "{text}"
+        );
         assert!(text.contains("copies 12.5 GB/s") && text.contains("missed") && text.contains("Software"), "{text}");
     }
 }
