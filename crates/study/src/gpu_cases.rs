@@ -7,12 +7,15 @@ use barchan_wgpu::{ReliefSearch, Technique};
 
 use crate::Setting;
 use crate::gpu_files::CURVATURES;
-use crate::relief_method::{Feed, Search};
+use crate::relief_method::{Feed, Method, Search};
 use crate::relief_tables::{BISECTIONS, STEPS};
 use crate::scenes::SIDE;
 
 /// Angles of rays from the normal, in degrees.
 pub(crate) const ANGLES: [f64; 2] = [35.0, 75.0];
+
+/// The angle of the light of relief, likewise.
+const LIGHT: f64 = 55.0;
 
 /// The azimuth of lights and eyes: between two baked ones.
 const AZIMUTH: f64 = 100.0;
@@ -24,32 +27,32 @@ const SUN: f64 = 0.27;
 pub(crate) struct Case {
     /// Its name in records.
     pub(crate) name: &'static str,
-    pub(crate) setting: Setting,
     /// The first is drawn, the others are those it stands on.
     pub(crate) techniques: Vec<Technique>,
     /// What is uploaded for it.
     pub(crate) tables: Vec<Semantic>,
-    pub(crate) probe: Probe,
+    /// What it looks at, and how records say it.
+    pub(crate) looks: Vec<(Setting, Probe)>,
 }
 
 /// What there is to do with a file of horizons: with one in the compact encoding all, with others horizon shadows.
 pub(crate) fn of_horizons(encoding: Encoding) -> Vec<Case> {
     let light = direction(70.0);
     let lit = Probe { place: [0.25, 0.25], light, angular_radius: (SUN as f32).to_radians(), ..Probe::default() };
+    let setting = || Setting::default().with("encoding", encoding.name());
     let case = |name, technique: Technique, more: &[Semantic]| Case {
         name,
-        setting: Setting::default().with("encoding", encoding.name()),
         techniques: vec![technique],
         tables: [technique.required(), more].concat(),
-        probe: lit,
+        looks: vec![(setting(), lit)],
     };
     let horizon = case("horizon_shadow", Technique::HorizonShadow, &[]);
     if encoding != Encoding::Compact {
         return vec![horizon];
     }
     let curved = |points: u32, more: &[Semantic]| {
-        let case = case("curved_shadow", Technique::CurvedShadow, more);
-        Case { setting: case.setting.with("points", points), probe: on_a_ball(&lit), ..case }
+        let looks = vec![(setting().with("points", points), on_a_ball(&lit))];
+        Case { looks, ..case("curved_shadow", Technique::CurvedShadow, more) }
     };
     vec![
         case("surface", Technique::Surface, &[]),
@@ -62,26 +65,31 @@ pub(crate) fn of_horizons(encoding: Encoding) -> Vec<Case> {
     ]
 }
 
-/// What there is to do with relief: every search from both starts at both angles, and its shadow.
-pub(crate) fn of_relief() -> Vec<Case> {
-    let mut cases = Vec::new();
-    for (search, feed) in
-        Search::ALL.into_iter().flat_map(|search| [Feed::Top, Feed::Conservative].map(|f| (search, f)))
-    {
-        let technique = Technique::Relief(on_gpu(search));
-        let starts = if feed == Feed::Top { &[][..] } else { &[Semantic::HemisphereDepth] };
-        let tables = [technique.required(), starts].concat();
-        let case = |name, angle: f64, techniques| Case {
-            name,
-            setting: Setting::default().with("search", search.name()).with("start", feed.name()).with("angle", angle),
-            techniques,
-            tables: tables.clone(),
-            probe: Probe { place: [0.25, 0.25], eye: direction(angle), light: direction(55.0), ..Probe::default() },
-        };
-        cases.extend(ANGLES.map(|angle| case("relief", angle, vec![technique])));
-        cases.push(case("relief_shadow", ANGLES[0], vec![Technique::ReliefShadow, technique]));
-    }
-    cases
+/// What there is to do with relief: these searches from both starts at both angles, and shadow at the first.
+pub(crate) fn of_relief(searches: &[Search]) -> Vec<Case> {
+    let starts = [(Feed::Top, &[][..]), (Feed::Conservative, &[Semantic::HemisphereDepth])];
+    let methods = searches.iter().flat_map(|&search| starts.map(|(feed, table)| (Method { search, feed }, table)));
+    methods.flat_map(|(method, table)| of_method(method, table)).collect()
+}
+
+/// A search from one start, which reads this table.
+fn of_method(method: Method, table: &[Semantic]) -> [Case; 2] {
+    let technique = Technique::Relief(on_gpu(method.search));
+    let look = |angle| {
+        let setting = Setting::default().with("search", method.search.name()).with("start", method.feed.name());
+        let probe = Probe { place: [0.25, 0.25], eye: direction(angle), light: direction(LIGHT), ..Probe::default() };
+        (setting.with("angle", angle), probe)
+    };
+    let case = |name, techniques, angles: &[f64]| Case {
+        name,
+        techniques,
+        tables: [technique.required(), table].concat(),
+        looks: angles.iter().map(|angle| look(*angle)).collect(),
+    };
+    [
+        case("relief", vec![technique], &ANGLES),
+        case("relief_shadow", vec![Technique::ReliefShadow, technique], &ANGLES[..1]),
+    ]
 }
 
 /// A search with the numbers of the CPU's studies.
