@@ -9,6 +9,9 @@
 //! - **checked**: the same with the check;
 //! - **bare**: the same bytes by one `write_texture` to a texture of the same kind, and waited for: what `wgpu` and its driver take by
 //!   themselves;
+//! - **pieces**: likewise, at most 16 MiB at a time and each handed over before the next: their way is over memory that was used before;
+//! - **fresh**: a copy of the bytes to memory that was never touched, where the system has to find and clear every page: what an upload
+//!   to a software GPU, whose textures are such memory, cannot beat;
 //! - **memory**: what the machine's memory carries ([`crate::bandwidth`]).
 //!
 //! # What is uploaded
@@ -30,6 +33,9 @@ use crate::{Item, Record, Scale, Setting, StudyError};
 
 /// Texels along each side, and azimuths, of 1, 8, 64, 256 and 512 MiB.
 pub const SIZES: [(u32, u32); 5] = [(256, 4), (512, 8), (1024, 16), (2048, 16), (2048, 32)];
+
+/// Bytes that are handed over at a time, where it is in pieces.
+const PIECE: u32 = 16 << 20;
 
 /// Files opened as one lap.
 const OPENED: usize = 1000;
@@ -137,7 +143,9 @@ impl<'a> File<'a> {
                 Reader::open(file.bytes)?.check_bytes()?;
                 Ok(Some(Box::new(file.upload()?)))
             }),
-            contestant("bare", |file| Ok(Some(Box::new(file.write_texture()?)))),
+            contestant("bare", |file| Ok(Some(Box::new(file.write_texture(u32::MAX)?)))),
+            contestant("pieces", |file| Ok(Some(Box::new(file.write_texture(file.layers_of(PIECE))?)))),
+            contestant("fresh", |file| Ok(Some(Box::new(file.bytes.to_vec())))),
         ]
     }
 
@@ -161,27 +169,28 @@ impl<'a> File<'a> {
         self.gpu.finish()
     }
 
-    /// The same bytes to a texture of the same kind: the last ones of the file, which are as good as any.
-    fn write_texture(&self) -> Result<wgpu::Texture, StudyError> {
+    /// How many layers have at most so many bytes; one has in any case.
+    fn layers_of(&self, bytes: u32) -> u32 {
+        (bytes / (4 * self.extent.0 * self.extent.0)).max(1)
+    }
+
+    /// The same bytes to a texture of the same kind, so many layers at a time: the last ones of the file, which are as good as any.
+    fn write_texture(&self, layers_at_once: u32) -> Result<wgpu::Texture, StudyError> {
         let (side, layers) = self.extent;
-        let size = wgpu::Extent3d { width: side, height: side, depth_or_array_layers: layers };
-        let texture = self.gpu.checked(|device| {
-            device.create_texture(&wgpu::TextureDescriptor {
-                label: Some("bare"),
-                size,
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format: wgpu::TextureFormat::R32Float,
-                usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-                view_formats: &[],
-            })
-        })?;
-        let layout =
-            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * side), rows_per_image: Some(side) };
-        let count = 4 * side as usize * side as usize * layers as usize;
-        let texels = &self.bytes[self.bytes.len().saturating_sub(count)..];
-        self.gpu.queue.write_texture(texture.as_image_copy(), texels, layout, size);
+        let texture = self.gpu.checked(|device| texture(device, self.extent))?;
+        let layer_bytes = 4 * side as usize * side as usize;
+        let texels = &self.bytes[self.bytes.len().saturating_sub(layer_bytes * layers as usize)..];
+        let at_once = layers_at_once.min(layers);
+        for (first, piece) in (0..).step_by(at_once as usize).zip(texels.chunks(layer_bytes * at_once as usize)) {
+            let origin = wgpu::Origin3d { z: first, ..wgpu::Origin3d::ZERO };
+            let to = wgpu::TexelCopyTextureInfo { origin, ..texture.as_image_copy() };
+            let (bytes_per_row, rows_per_image) = (Some(4 * side), Some(side));
+            let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row, rows_per_image };
+            let depth_or_array_layers = at_once.min(layers - first);
+            let size = wgpu::Extent3d { width: side, height: side, depth_or_array_layers };
+            self.gpu.queue.write_texture(to, piece, layout, size);
+            self.gpu.queue.submit([]);
+        }
         self.wait()?;
         Ok(texture)
     }
@@ -202,6 +211,20 @@ impl<'a> File<'a> {
     }
 }
 
+/// 32-bit floats, so many along each side and layers.
+fn texture(device: &wgpu::Device, (side, layers): (u32, u32)) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("bare"),
+        size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: layers },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::R32Float,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -210,7 +233,7 @@ mod tests {
     fn every_step_of_a_file_is_timed() {
         let records = measure(&study(Scale::Quick), &mut |_| ()).unwrap();
         let steps: Vec<_> = records.iter().filter_map(|record| record.setting.get("step")).collect();
-        assert_eq!(steps, ["open", "check", "upload", "checked", "bare"]);
+        assert_eq!(steps, ["open", "check", "upload", "checked", "bare", "pieces", "fresh"]);
         for record in &records {
             assert!(record.wall_ns_min > Some(0.0) && record.device.is_some(), "{record:?}");
         }

@@ -10,11 +10,13 @@ use crate::{Record, RecordFile};
 const GOAL: f64 = 2.0;
 
 /// The steps that are rates, and how the table calls them.
-const STEPS: [(&str, &str); 4] = [
+const STEPS: [(&str, &str); 6] = [
     ("upload", "open, plan, upload: GB/s"),
     ("checked", "with every checksum"),
     ("check", "checksums alone"),
     ("bare", "bare `write_texture`"),
+    ("pieces", "likewise, by 16 MiB"),
+    ("fresh", "copied to fresh memory"),
 ];
 
 pub(super) fn render(file: &RecordFile) -> String {
@@ -82,7 +84,9 @@ mod tests {
         let on_gpu = |record| Record { device: Some("a GPU".to_owned()), is_software: Some(true), ..record };
         let text = render(&RecordFile { machine: String::new(), records: records.map(on_gpu).collect() });
         assert!(
-            text.contains("| 1.00 MiB | 2.50 | 5.00 | – | – | – |\n| 512 MiB | – | 1.25 | – | – | – |\n"),
+            text.contains(
+                "| 1.00 MiB | 2.50 | 5.00 | – | – | – | – | – |\n| 512 MiB | – | 1.25 | – | – | – | – | – |\n"
+            ),
             "{text}"
         );
         assert!(text.contains("copies 12.5 GB/s") && text.contains("missed") && text.contains("Software"), "{text}");
