@@ -6,6 +6,8 @@ mod bake;
 mod compare;
 #[path = "end_to_end/dump.rs"]
 mod dump;
+#[path = "end_to_end/gpu.rs"]
+mod gpu;
 #[path = "end_to_end/height_map.rs"]
 mod height_map;
 #[path = "end_to_end/mesh.rs"]

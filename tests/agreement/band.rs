@@ -31,9 +31,16 @@ impl Band {
         Self::around([of(self.low), of(self.high)])
     }
 
-    /// A product of numbers that are not negative.
+    /// Squares of its numbers.
+    pub(crate) fn square(self) -> Self {
+        let holds_zero = self.low <= 0.0 && self.high >= 0.0;
+        let squares = [self.low * self.low, self.high * self.high];
+        Self::around(squares.into_iter().chain(holds_zero.then_some(0.0)))
+    }
+
+    /// A product, of what is not negative.
     pub(crate) fn times(self, other: Self) -> Self {
-        Self { low: self.low * other.low, high: self.high * other.high }
+        Self { low: self.low.max(0.0) * other.low.max(0.0), high: self.high * other.high }
     }
 
     /// On the way to another band.

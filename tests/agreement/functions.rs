@@ -1,6 +1,6 @@
 //! The functions of angles in `functions.wgsl`, against f64: how far their results are off, over all that they are asked for.
 
-use barchan_asset::{Encoding, HeightTable, Semantic, Wrap};
+use barchan_asset::{Encoding, HeightTable, MAX_ELEVATION, Semantic, Wrap};
 use barchan_wgpu::{Shader, ShaderOptions, Technique};
 
 use crate::support::{Loaded, gpu, grid};
@@ -89,7 +89,7 @@ fn over(low: f32, high: f32) -> Vec<f32> {
 
 /// Numbers of both signs and of every size.
 fn of_every_size() -> impl Iterator<Item = f32> {
-    (-80..80).flat_map(|power| [1.0, 1.2, 1.4142135, 1.7].map(|part| part * 2f32.powi(power))).flat_map(|x| [x, -x])
+    (-80..80).flat_map(|power| [1.0, 1.2, 1.41, 1.7].map(|part| part * 2f32.powi(power))).flat_map(|x| [x, -x])
 }
 
 /// The greatest error among those answers, in ulp, and where.
@@ -127,7 +127,7 @@ fn azimuths_are_within_4_ulp_all_round_and_of_vectors_of_any_length() {
 }
 
 #[test]
-fn sines_and_cosines_are_within_2_ulp_of_1_beyond_a_whole_turn() {
+fn sines_and_cosines_are_within_1_2e_7_beyond_a_whole_turn() {
     let angles = alone(over(-7.0, 7.0));
     for (found, [x, _]) in answers(&angles).into_iter().zip(&angles) {
         let (sine, cosine) = f64::from(*x).sin_cos();
@@ -144,23 +144,16 @@ fn the_ends_of_ranges_are_what_they_must_be() {
         [-1.0, 0.0],
         [0.0, 0.0],
         [-0.0, 0.0],
+        // A filtered sine may be a little more than 1.
         [1.5, 0.0],
         [0.0, -1.0],
         [0.0, 1.0],
         [0.0, f32::MIN_POSITIVE],
     ];
     let found = answers(&asked);
-    assert_eq!(
-        found.iter().map(|five| five[0]).take(5).collect::<Vec<_>>(),
-        [
-            half_turn / 2.0,
-            -half_turn / 2.0,
-            0.0,
-            0.0,
-            // A filtered sine may be a little more than 1.
-            half_turn / 2.0,
-        ]
-    );
+    // No elevation is a right angle.
+    let arcsines: Vec<_> = found.iter().map(|five| five[0]).take(5).collect();
+    assert_eq!(arcsines, [MAX_ELEVATION, -MAX_ELEVATION, 0.0, 0.0, MAX_ELEVATION]);
     let azimuths: Vec<_> = found.iter().map(|five| five[2]).collect();
     assert_eq!(azimuths[..4], [0.0, half_turn, 0.0, 0.0]);
     assert_eq!(azimuths[5..7], [-half_turn / 2.0, half_turn / 2.0]);

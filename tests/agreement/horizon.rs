@@ -14,10 +14,7 @@ use crate::support::{self, ENCODINGS, Loaded, SAMPLINGS, WRAPS, gpu, light, nois
 
 /// How far elevations on the GPU may be from the twin's, in radians: rounding of f32, of the azimuth most of all, between layers that
 /// differ by up to 160°.
-const TOLERANCE: f64 = 2e-6;
-
-/// The same for a table of sines that holds walls: near a right angle the next f32 below a sine of 1 is 3.5e-4 rad away.
-const WALL_TOLERANCE: f64 = 4e-4;
+const TOLERANCE: f64 = 4e-6;
 
 /// Elevations between ±80° from texel to texel: steeper than any relief.
 fn table(
@@ -96,10 +93,8 @@ impl<'a> Horizons<'a> {
         layers[first as usize].at(x, y).mix(layers[second as usize].at(x, y), f64::from(weight))
     }
 
-    /// The greatest difference, for who wants to see it.
-    #[expect(clippy::print_stdout, reason = "seen with --nocapture alone")]
     fn report(&self) {
-        println!("{}: {:e} of {:e} rad", self.name, self.worst, self.tolerance);
+        support::report(&self.name, self.worst, self.tolerance);
     }
 }
 
@@ -176,7 +171,6 @@ fn walls_agree() {
         let loaded = Loaded::of_tables([table(encoding, Azimuths::full_circle(4), (9, 9), WRAPS[1].1, wall)]);
         for sampling in SAMPLINGS {
             let mut horizons = Horizons::new(format!("walls_{}", encoding.name()), &loaded, sampling);
-            horizons.tolerance = if encoding == Encoding::Compact { WALL_TOLERANCE } else { TOLERANCE };
             for (azimuth, elevation) in
                 [(0.0, 0.0), (90.0, 60.0), (45.0, 89.0), (200.0, -30.0), (0.0, 90.0), (0.0, -90.0)]
             {
@@ -201,8 +195,8 @@ fn arcs_end_at_both_ends() {
     for (name, azimuths) in arcs {
         let loaded = Loaded::of_tables([table(Encoding::F32, azimuths, size, WRAPS[0].1, rough)]);
         let mut horizons = Horizons::new(name.to_owned(), &loaded, Sampling::Loaded);
-        // 2⁻²² rad of the azimuth, between layers that differ by up to 2.8 rad.
-        horizons.tolerance = if azimuths.count() == 64 { 1e-5 } else { TOLERANCE };
+        // What f32 keeps of the azimuth, 2⁻²¹ rad, over a step of a tenth.
+        horizons.tolerance = if azimuths.count() == 64 { 2e-5 } else { TOLERANCE };
         let (first, last) = (azimuths.radians(0), azimuths.radians(azimuths.count() - 1));
         let gap = core::f64::consts::TAU - (last - first);
         let ends = [first, last, last + 0.49 * gap, last + 0.51 * gap];

@@ -162,3 +162,9 @@ pub(crate) fn places(probe: &Probe) -> Vec<(f64, f64)> {
 pub(crate) fn numbers(found: &[[f32; 4]], which: usize) -> Vec<f64> {
     found.iter().map(|pixel| f64::from(pixel[which])).collect()
 }
+
+/// Says how far apart the two were at most, for who wants to see it.
+#[expect(clippy::print_stdout, reason = "seen with --nocapture alone")]
+pub(crate) fn report(name: &str, worst: f64, tolerance: f64) {
+    println!("{name}: {worst:.1e} of {tolerance:.0e}");
+}

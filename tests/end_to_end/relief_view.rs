@@ -39,6 +39,15 @@ fn by_default_it_is_what_is_traced() {
 }
 
 #[test]
+fn a_tile_that_repeats_fills_the_picture_however_low_the_eye_is() {
+    let place = baked();
+    for elevation in [2, 5, 20, 90] {
+        let report = place.json(&format!("render out.barchan --eye-elevation {elevation} --size 32 -o seen.png"));
+        assert_eq!(number(&report, "/seen_share"), 1.0, "{elevation}");
+    }
+}
+
+#[test]
 fn a_heat_map_stands_beside_that_of_linear_search_and_is_cooler() {
     let place = baked();
     let report = place.json("render out.barchan --eye-elevation 40 --size 96 --heat -o heat.png");

@@ -57,6 +57,11 @@ fn demosthenes_curvature() {
 }
 
 #[test]
+fn game_curvature() {
+    follow_mesh("game");
+}
+
+#[test]
 fn rippled_torus_curvature() {
     follow_mesh("rippled_torus");
 }
@@ -69,7 +74,7 @@ macro_rules! samples {
     };
 }
 
-samples!(cylinder_bumps, dunes, fractal_terrain, jacksboro, relief, reptile_skin, rippled_torus, ripples);
+samples!(cylinder_bumps, dunes, fractal_terrain, game, jacksboro, relief, reptile_skin, rippled_torus, ripples);
 
 /// Samples without relief.
 const MESHES: &[&str] = &["demosthenes"];

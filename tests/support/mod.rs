@@ -81,6 +81,8 @@ impl Place {
 
     pub(crate) fn run_words(&self, words: &[&str]) -> Run {
         let mut command = Command::new(env!("CARGO_BIN_EXE_barchan"));
+        // Where there is no display, a layer of Mesa that chooses between devices says so on stderr.
+        command.env("NODEVICE_SELECT", "1");
         Run::of(command.args(words).current_dir(self.folder.path()).output())
     }
 

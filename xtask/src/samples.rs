@@ -15,7 +15,7 @@ struct Picture {
     options: &'static str,
 }
 
-const GALLERY: [Picture; 11] = [
+const GALLERY: [Picture; 14] = [
     Picture { name: "dunes", recipe: "dunes", options: "--azimuth 150 --elevation 14 --scale 2" },
     Picture { name: "dunes_dusk", recipe: "dunes", options: "--azimuth 150 --elevation 6" },
     Picture { name: "jacksboro", recipe: "jacksboro", options: "--azimuth 135 --elevation 10" },
@@ -35,14 +35,29 @@ const GALLERY: [Picture; 11] = [
         recipe: "relief",
         options: "--eye-elevation 20 --on sphere --azimuth 220 --elevation 30",
     },
+    // CPU, GPU and difference; without a GPU, not even a software one, the program says what installs one.
+    Picture { name: "gpu_dunes", recipe: "dunes", options: "--azimuth 150 --elevation 5 --gpu --compare" },
+    Picture {
+        name: "gpu_relief",
+        recipe: "relief",
+        options: "--eye-azimuth 250 --eye-elevation 40 --azimuth 190 --elevation 30 --tiles 1 --size 400 --gpu --compare",
+    },
+    Picture {
+        name: "gpu_ball",
+        recipe: "relief",
+        options: "--eye-elevation 20 --on sphere --azimuth 220 --elevation 30 --size 320 --gpu --compare",
+    },
 ];
 
 /// How the bust is drawn: from the front, a little to one side.
 const BUST: &str = "--format png --view 30,-5 --size 640";
 
+/// What the example game is told, from the root.
+const GAME: &str = "target/samples/game.barchan -t 1.5 -o samples/gallery/game.png";
+
 /// Draws `samples/gallery/*.png`; baked files go under `target/samples`.
 pub(crate) fn samples() -> Result<()> {
-    cargo("build --release")?;
+    cargo("build --release --features gpu")?;
     let program = program()?;
     let baked = root().join("target/samples");
     let gallery = root().join("samples/gallery");
@@ -61,7 +76,9 @@ pub(crate) fn samples() -> Result<()> {
     let (asset, mesh) = (baked.join("demosthenes.barchan"), root().join("samples/demosthenes.ply"));
     let bust = gallery.join("demosthenes_curvature.png");
     barchan(&program, &[&"dump", &asset, &"curvature", &"--mesh", &mesh, &"-o", &bust], BUST)?;
-    println!("{} pictures in {}", GALLERY.len() + 1, gallery.display());
+    // What a game draws of its asset.
+    cargo(&format!("run --release --quiet -p barchan-wgpu --example game -- {GAME}"))?;
+    println!("{} pictures in {}", GALLERY.len() + 2, gallery.display());
     // Curved surfaces are no part of a recipe: the study has them.
     cargo("run --release --quiet -p barchan-study --example study -- pictures")
 }

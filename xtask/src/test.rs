@@ -19,6 +19,8 @@ pub(crate) fn test() -> Result<()> {
     cargo_with("doc --workspace --no-deps --all-features", &[("RUSTDOCFLAGS", "-D warnings")])?;
     // Unit, property, golden and end-to-end tests, and the examples in the documentation.
     cargo("test --workspace --all-features")?;
+    // The program as it is built by default, without a GPU.
+    cargo("test -p barchan-cli --test end_to_end gpu")?;
     // An engine of one's own, without a device and without zstd.
     cargo("clippy -p barchan-wgpu --no-default-features --all-targets -- -D warnings")?;
     cargo("test -p barchan-wgpu --no-default-features")?;

@@ -36,12 +36,45 @@ pub struct Camera {
     pub height: u32,
 }
 
+/// The rays of an orthographic camera, which differ by steps alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ParallelRays {
+    /// Where the ray through the first pixel's centre is nearest to the target.
+    pub corner: DVec3,
+    /// From there to the next pixel's, to the right.
+    pub across: DVec3,
+    /// To the one below.
+    pub down: DVec3,
+    /// A unit vector towards the eye.
+    pub towards_eye: DVec3,
+}
+
 impl Camera {
-    /// The rays through the pixels' centres, row by row from the top.
-    pub fn rays(&self) -> impl Iterator<Item = Ray> {
+    /// Unit vectors along the line of sight, to the right and up in the picture.
+    fn axes(&self) -> [DVec3; 3] {
         let forward = (self.target - self.eye).try_normalize().unwrap_or(DVec3::NEG_Z);
         let right = forward.cross(self.up).try_normalize().unwrap_or_else(|| forward.any_orthonormal_vector());
-        let (up, camera) = (right.cross(forward), *self);
+        [forward, right, right.cross(forward)]
+    }
+
+    /// The rays of [`Camera::rays`] by their steps; nothing for a lens that spreads them.
+    #[must_use]
+    pub fn parallel_rays(&self) -> Option<ParallelRays> {
+        let Lens::Orthographic { height } = self.lens else { return None };
+        let [forward, right, up] = self.axes();
+        let pixel = height / f64::from(self.height);
+        let to_corner = right * (0.5 - 0.5 * f64::from(self.width)) + up * (0.5 * f64::from(self.height) - 0.5);
+        Some(ParallelRays {
+            corner: self.target + to_corner * pixel,
+            across: right * pixel,
+            down: -up * pixel,
+            towards_eye: -forward,
+        })
+    }
+
+    /// The rays through the pixels' centres, row by row from the top.
+    pub fn rays(&self) -> impl Iterator<Item = Ray> {
+        let ([forward, right, up], camera) = (self.axes(), *self);
         // In units of half the picture's height.
         let half = 0.5 * f64::from(self.height);
         let across = move |column: u32| (f64::from(column) + 0.5 - 0.5 * f64::from(camera.width)) / half;

@@ -35,7 +35,7 @@ mod traced;
 mod traced_penumbra;
 
 pub use base::{BaseSurface, Cylinder, Foot, Patch, Plane, Ray, Sphere, SphereChart, SurfacePoint};
-pub use camera::{Camera, Lens};
+pub use camera::{Camera, Lens, ParallelRays};
 pub use curved::{
     CLOSED, Correction, NO_HORIZON, StoredPoint, curved_horizon, geometric_horizon, geometric_horizon_as_printed,
     paper_horizon,
@@ -50,14 +50,14 @@ pub use mesh_picture::{ColouredMesh, MAX_MESH_PICTURE};
 pub use mesh_view::{MeshView, UpAxis};
 pub use oracle::DisplacedShadow;
 pub use penumbra::Penumbra;
-pub use picture::{Palette, Picture, Pixels};
+pub use picture::{BACKGROUND, Palette, Picture, Pixels};
 pub use place::Place;
 pub use principal::PrincipalUv;
 pub use relief::{
     ConeSteps, DepthMapStart, Fetches, Found, HemisphereCell, HemisphereOcclusion, HemisphereQuadrature, LinearSearch,
     MAP_TOLERANCE, MaximumMipTraversal, MismatchedRelief, Occlusion, ParallaxOcclusion, RelaxedConeSteps, Relief,
     ReliefLight, ReliefPixel, ReliefPixels, ReliefRay, ReliefRoad, ReliefSearch, ReliefShadow, ReliefStage,
-    SHADOW_TOLERANCE, ShadowAnswer, StageEye, Start, TracedRelief, heat_map, relief_direction,
+    SHADOW_TOLERANCE, ShadowAnswer, StageBase, StageEye, Start, TracedRelief, heat_map, relief_direction,
 };
 pub use sky::SkyLight;
 pub use surface::Surface;

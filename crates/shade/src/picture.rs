@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::{DirectionalLight, SkyLight, Surface};
 
 /// sRGB, where a picture shows nothing.
-pub(crate) const BACKGROUND: [u8; 3] = [16, 18, 22];
+pub const BACKGROUND: [u8; 3] = [16, 18, 22];
 
 /// The pixels of a picture over a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,6 +36,12 @@ impl Pixels {
     #[must_use]
     pub fn one_per_texel(surface: &Surface) -> Self {
         Self { width: surface.heights().width(), height: surface.heights().height(), texels: (1.0, 1.0) }
+    }
+
+    /// Texels per pixel across and down.
+    #[must_use]
+    pub fn texels(&self) -> (f64, f64) {
+        self.texels
     }
 
     /// Something of every pixel's place, row by row from the top; places are `(x, y)` in texels from the centre of
@@ -75,6 +81,12 @@ impl Palette {
     /// The same sand under clouds: as bright in the open as level ground is in the sun.
     pub const OVERCAST_SAND: Self =
         Self { albedo: Self::SAND.albedo, sun: DVec3::ZERO, sky: DVec3::new(0.92, 0.96, 1.0) };
+
+    /// Exposed for a sun, so that level ground in it is as bright at dawn as at noon.
+    #[must_use]
+    pub fn exposed_for(self, light: &DirectionalLight) -> Self {
+        Self { sun: self.sun / exposed_height(light), ..self }
+    }
 }
 
 /// An 8-bit sRGB picture, three bytes a pixel, row by row from the top.
@@ -91,7 +103,7 @@ pub struct Picture {
 impl Picture {
     /// Lights a surface: Lambert's law for the sun where `shadow` says it reaches, an even sky everywhere.
     ///
-    /// The exposure follows the sun's elevation, so that level ground in the sun is as bright at dawn as at noon.
+    /// The exposure is that of [`Palette::exposed_for`].
     ///
     /// # Panics
     /// If `shadow` does not hold one value per pixel.
@@ -104,7 +116,7 @@ impl Picture {
         palette: &Palette,
     ) -> Self {
         assert_eq!(shadow.len(), pixels.width as usize * pixels.height as usize, "one shadow value per pixel");
-        let exposure = 1.0 / light.towards.z.max(0.12);
+        let exposure = 1.0 / exposed_height(light);
         let mut shadow = shadow.iter();
         let colours = pixels.map(|x, y| {
             let normal = surface.normal(x, y);
@@ -145,6 +157,11 @@ impl Picture {
         }
         Self { width, height, rgb }
     }
+}
+
+/// The sine of the sun's elevation that a picture is exposed for: no lower than 7°.
+fn exposed_height(light: &DirectionalLight) -> f64 {
+    light.towards.z.max(0.12)
 }
 
 /// Linear light to sRGB bytes, with a shoulder instead of a hard clip.

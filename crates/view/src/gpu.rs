@@ -65,15 +65,16 @@ impl Gpu {
         polled.map(|_| ()).map_err(|error| GpuError::Device { reason: error.to_string() })
     }
 
-    /// What is in a buffer that can be mapped, once all that was submitted is done. It stays mapped.
+    /// What is in a buffer that can be mapped, once all that was submitted is done.
     pub(crate) fn read(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
         let (sender, receiver) = std::sync::mpsc::channel();
         buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| drop(sender.send(mapped)));
         self.finish()?;
         let lost = |reason: String| GpuError::Device { reason };
         receiver.recv().map_err(|error| lost(error.to_string()))?.map_err(|error| lost(error.to_string()))?;
-        let view = buffer.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
-        Ok(view.to_vec())
+        let bytes = buffer.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?.to_vec();
+        buffer.unmap();
+        Ok(bytes)
     }
 }
 

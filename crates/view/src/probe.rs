@@ -2,6 +2,7 @@
 
 use barchan_wgpu::{GpuAsset, Sampling, Shader, ShaderOptions, Technique, UploadPlan};
 
+use crate::target::Target;
 use crate::{Gpu, GpuError};
 
 /// What is drawn: places on a grid under one light. `probe.wgsl` declares the same.
@@ -82,7 +83,8 @@ pub struct ProbePass<'a> {
     probe: wgpu::Buffer,
 }
 
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+/// Four floats a pixel.
+pub(crate) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
 impl<'a> ProbePass<'a> {
     /// The pass of the first of `techniques`; the others are those it needs beside it.
@@ -170,32 +172,18 @@ impl<'a> ProbePass<'a> {
     /// # Errors
     /// A device that refuses or is lost.
     pub fn draw(&self, probe: &Probe) -> Result<Vec<[f32; 4]>, GpuError> {
-        let (width, height) = probe.size;
         self.set(probe);
-        let row_bytes = (16 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
-        let read_back = self.gpu.checked(|device| {
-            let target = target(device, probe.size, wgpu::TextureUsages::COPY_SRC);
-            let read_back = device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("probe"),
-                size: u64::from(row_bytes) * u64::from(height),
-                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-                mapped_at_creation: false,
-            });
+        let target = self.gpu.checked(|device| {
+            let target = Target::new(device, FORMAT, probe.size);
             let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            self.encode(&mut encoder, &target.create_view(&wgpu::TextureViewDescriptor::default()), None);
-            let layout =
-                wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row_bytes), rows_per_image: Some(height) };
-            let to = wgpu::TexelCopyBufferInfo { buffer: &read_back, layout };
-            encoder.copy_texture_to_buffer(target.as_image_copy(), to, size);
+            self.encode(&mut encoder, &target, None);
+            target.copy(&mut encoder);
             self.gpu.queue.submit([encoder.finish()]);
-            read_back
+            target
         })?;
-        let rows = self.gpu.read(&read_back)?;
         let number = |bytes: &[u8]| f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
         let pixel = |bytes: &[u8]| [0, 4, 8, 12].map(|at| number(&bytes[at..]));
-        let rows = rows.chunks_exact(row_bytes as usize);
-        Ok(rows.flat_map(|row| row[..16 * width as usize].chunks_exact(16).map(pixel)).collect())
+        Ok(target.read(self.gpu)?.chunks_exact(16).map(pixel).collect())
     }
 
     /// Its device.
@@ -212,20 +200,12 @@ impl<'a> ProbePass<'a> {
     pub(crate) fn encode(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        target: &wgpu::TextureView,
+        target: &Target,
         timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("probe"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: target,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                    store: wgpu::StoreOp::Store,
-                },
-            })],
+            color_attachments: &[Some(target.attachment())],
             timestamp_writes,
             ..Default::default()
         });
@@ -233,18 +213,4 @@ impl<'a> ProbePass<'a> {
         pass.set_bind_group(0, &self.bind_group, &[]);
         pass.draw(0..3, 0..1);
     }
-}
-
-/// Four floats a pixel, to draw to and for some usage besides.
-pub(crate) fn target(device: &wgpu::Device, (width, height): (u32, u32), usage: wgpu::TextureUsages) -> wgpu::Texture {
-    device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("probe"),
-        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: FORMAT,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
-        view_formats: &[],
-    })
 }

@@ -8,7 +8,8 @@
 //! Clocks of GPUs tick in steps (some in microseconds), and GPUs that have rested take a while to run at full speed: a size that takes
 //! milliseconds, drawn again and again, is what to trust.
 
-use crate::probe::{ProbePass, target};
+use crate::probe::{FORMAT, ProbePass};
+use crate::target::Target;
 use crate::{Gpu, GpuError, Probe};
 
 /// A pass whose probes are drawn for their time alone: the target stays on the GPU.
@@ -16,7 +17,7 @@ use crate::{Gpu, GpuError, Probe};
 pub struct TimedPass<'a> {
     pass: &'a ProbePass<'a>,
     size: (u32, u32),
-    target: wgpu::TextureView,
+    target: Target,
     /// None where the adapter has no timestamps.
     clock: Option<Clock>,
 }
@@ -41,10 +42,7 @@ impl<'a> TimedPass<'a> {
     /// A device that refuses.
     pub fn new(pass: &'a ProbePass<'a>, size: (u32, u32)) -> Result<Self, GpuError> {
         let gpu = pass.gpu();
-        let (target, clock) = gpu.checked(|device| {
-            let target = target(device, size, wgpu::TextureUsages::empty());
-            (target.create_view(&wgpu::TextureViewDescriptor::default()), Clock::new(gpu))
-        })?;
+        let (target, clock) = gpu.checked(|device| (Target::new(device, FORMAT, size), Clock::new(gpu)))?;
         Ok(Self { pass, size, target, clock })
     }
 
@@ -107,7 +105,6 @@ impl Clock {
 
     fn read(&self, gpu: &Gpu) -> Result<Option<f64>, GpuError> {
         let bytes = gpu.read(&self.read_back)?;
-        self.read_back.unmap();
         let ticks = |at: usize| {
             let word = bytes.get(at..at + 8)?;
             Some(u64::from_le_bytes(word.try_into().ok()?))

@@ -97,7 +97,7 @@ float barchan_arcsine(float sine) {
     float square = (is_steep ? (0.5 * (1.0 - size)) : (size * size));
     float root = (is_steep ? sqrt(square) : size);
     float series = (((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root);
-    float angle_1 = (is_steep ? (1.5707964 - (2.0 * series)) : series);
+    float angle_1 = (is_steep ? (1.5707963 - (2.0 * series)) : series);
     return ((sine < 0.0) ? -(angle_1) : angle_1);
 }
 
@@ -237,28 +237,28 @@ float barchan_height_texel(ivec2 place_2, int layer_1) {
     return _e4;
 }
 
-float barchan_horizon_before_transfer(ivec2 place_4, int layer_3) {
-    ivec2 _e4 = barchan_inside(BARCHAN_HORIZON, place_4, 0);
-    vec4 _e8 = texelFetch(_group_0_binding_3_fs, ivec3(_e4, layer_3), 0);
+float barchan_horizon_before_transfer(ivec2 place_3, int layer_2) {
+    ivec2 _e4 = barchan_inside(BARCHAN_HORIZON, place_3, 0);
+    vec4 _e8 = texelFetch(_group_0_binding_3_fs, ivec3(_e4, layer_2), 0);
     float _e10 = barchan_scaled(BARCHAN_HORIZON, _e8.x);
     return _e10;
 }
 
-float barchan_horizon_texel(ivec2 place_5, int layer_4) {
-    float _e3 = barchan_horizon_before_transfer(place_5, layer_4);
+float barchan_horizon_texel(ivec2 place_4, int layer_3) {
+    float _e3 = barchan_horizon_before_transfer(place_4, layer_3);
     float _e4 = barchan_transferred(BARCHAN_HORIZON, _e3);
     return _e4;
 }
 
-float barchan_distance_before_transfer(ivec2 place_7, int layer_6) {
-    ivec2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_7, 0);
-    vec4 _e8 = texelFetch(_group_0_binding_4_fs, ivec3(_e4, layer_6), 0);
+float barchan_distance_before_transfer(ivec2 place_5, int layer_4) {
+    ivec2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_5, 0);
+    vec4 _e8 = texelFetch(_group_0_binding_4_fs, ivec3(_e4, layer_4), 0);
     float _e10 = barchan_scaled(BARCHAN_DISTANCE, _e8.x);
     return _e10;
 }
 
-float barchan_distance_texel(ivec2 place_8, int layer_7) {
-    float _e3 = barchan_distance_before_transfer(place_8, layer_7);
+float barchan_distance_texel(ivec2 place_6, int layer_5) {
+    float _e3 = barchan_distance_before_transfer(place_6, layer_5);
     float _e4 = barchan_transferred(BARCHAN_DISTANCE, _e3);
     return _e4;
 }
@@ -469,35 +469,80 @@ float barchan_curved_towards(BarchanGround ground_2, ivec2 texel_1, float height
 }
 
 float barchan_curved_texel(BarchanGround ground_3, ivec2 texel_2, BarchanNeighbours beside) {
+    float elevation = 0.0;
+    int side = 0;
     float _e4 = barchan_height_texel(texel_2, 0);
-    float _e6 = barchan_curved_towards(ground_3, texel_2, _e4, beside.first);
-    if ((beside.weight == 0.0)) {
-        return _e6;
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            int _e33 = side;
+            side = (_e33 + 1);
+        }
+        loop_init_1 = false;
+        int _e9 = side;
+        if ((_e9 < 2)) {
+        } else {
+            break;
+        }
+        {
+            int _e16 = side;
+            float weight_1 = ((_e16 == 1) ? beside.weight : (1.0 - beside.weight));
+            if ((weight_1 != 0.0)) {
+                int _e24 = side;
+                int azimuth_3 = ((_e24 == 1) ? beside.second : beside.first);
+                float _e28 = elevation;
+                float _e29 = barchan_curved_towards(ground_3, texel_2, _e4, azimuth_3);
+                elevation = (_e28 + (weight_1 * _e29));
+            }
+        }
     }
-    float _e11 = barchan_curved_towards(ground_3, texel_2, _e4, beside.second);
-    return mix(_e6, _e11, beside.weight);
+    float _e35 = elevation;
+    return _e35;
 }
 
-float barchan_curved_elevation(vec2 place_10, BarchanTangentLight light, float curvature_1) {
+float barchan_curved_elevation(vec2 place_7, BarchanTangentLight light, float curvature_1) {
+    float elevation_1 = 0.0;
+    int tap = 0;
     float _e7 = _group_0_binding_0_fs[0].least;
     BarchanGround _e8 = barchan_ground(curvature_1, light.stretch, _e7);
     BarchanNeighbours _e11 = barchan_neighbours(BARCHAN_HORIZON, light.azimuth);
-    vec2 corner = floor(place_10);
-    ivec2 texel_3 = ivec2(corner);
-    vec2 part_1 = (place_10 - corner);
-    float _e15 = barchan_curved_texel(_e8, texel_3, _e11);
-    float _e20 = barchan_curved_texel(_e8, (texel_3 + ivec2(1, 0)), _e11);
-    float _e25 = barchan_curved_texel(_e8, (texel_3 + ivec2(0, 1)), _e11);
-    float _e30 = barchan_curved_texel(_e8, (texel_3 + ivec2(1, 1)), _e11);
-    float upper = mix(_e15, _e20, part_1.x);
-    float lower = mix(_e25, _e30, part_1.x);
-    return clamp(mix(upper, lower, part_1.y), -1.5707963, BARCHAN_GREATEST_ELEVATION);
+    vec2 corner = floor(place_7);
+    vec2 part_1 = (place_7 - corner);
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            int _e45 = tap;
+            tap = (_e45 + 1);
+        }
+        loop_init_2 = false;
+        int _e18 = tap;
+        if ((_e18 < 4)) {
+        } else {
+            break;
+        }
+        {
+            int _e21 = tap;
+            int _e24 = tap;
+            ivec2 offset_1 = ivec2((_e21 & 1), (_e24 >> 1u));
+            vec2 weights = mix((vec2(1.0) - part_1), part_1, equal(offset_1, ivec2(1)));
+            float _e35 = elevation_1;
+            float _e41 = barchan_curved_texel(_e8, (ivec2(corner) + offset_1), _e11);
+            elevation_1 = (_e35 + ((weights.x * weights.y) * _e41));
+        }
+    }
+    float _e47 = elevation_1;
+    return clamp(_e47, -1.5707963, BARCHAN_GREATEST_ELEVATION);
 }
 
-bool barchan_curved_in_shadow(vec2 place_11, BarchanTangentLight light_1, float curvature_2) {
-    float _e3 = barchan_curved_elevation(place_11, light_1, curvature_2);
-    vec2 _e4 = barchan_sine_cosine(_e3);
-    return ((light_1.height * _e4.y) < (light_1.level * _e4.x));
+bool barchan_is_below(BarchanTangentLight light_1, float elevation_2) {
+    vec2 _e2 = barchan_sine_cosine(elevation_2);
+    return ((light_1.height * _e2.y) < (light_1.level * _e2.x));
+}
+
+bool barchan_curved_in_shadow(vec2 place_8, BarchanTangentLight light_2, float curvature_2) {
+    float _e3 = barchan_curved_elevation(place_8, light_2, curvature_2);
+    bool _e4 = barchan_is_below(light_2, _e3);
+    return _e4;
 }
 
 vec2 barchan_probe_place(vec4 position_1) {
@@ -521,7 +566,7 @@ void main() {
     vec3 _e30 = _group_0_binding_14_fs.second_form;
     float _e32 = barchan_curvature_along(_e27, _e30, _e24.direction);
     float _e33 = barchan_curved_elevation(_e1, _e24, _e32);
-    bool _e34 = barchan_curved_in_shadow(_e1, _e24, _e32);
+    bool _e34 = barchan_is_below(_e24, _e33);
     _fs2p_location0 = vec4(_e33, (_e34 ? 1.0 : 0.0), _e32, _e24.azimuth);
     return;
 }

@@ -84,7 +84,6 @@ static const float BARCHAN_NO_HORIZON = -3.4e38;
 static const float BARCHAN_CLOSED = 3.4e38;
 
 cbuffer barchan_tables : register(b0) { BarchanTable barchan_tables[12]; }
-SamplerState barchan_sampler : register(s1);
 Texture2D<float4> barchan_height_texels : register(t2);
 Texture2DArray<float4> barchan_horizon_texels : register(t3);
 Texture2DArray<float4> barchan_distance_texels : register(t4);
@@ -101,7 +100,7 @@ float barchan_arcsine(float sine)
     float square = (is_steep ? (0.5 * (1.0 - size)) : (size * size));
     float root = (is_steep ? sqrt(square) : size);
     float series = (((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root);
-    float angle_1 = (is_steep ? (1.5707964 - (2.0 * series)) : series);
+    float angle_1 = (is_steep ? (1.5707963 - (2.0 * series)) : series);
     return ((sine < 0.0) ? -(angle_1) : angle_1);
 }
 
@@ -271,67 +270,34 @@ float barchan_height_texel(int2 place_2, int layer_1)
     return _e4;
 }
 
-float barchan_height_at(float2 place_3, int layer_2)
+float barchan_horizon_before_transfer(int2 place_3, int layer_2)
 {
-    float2 _e8 = barchan_tables[0].extent;
-    float2 uv = ((place_3 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_height_texels.SampleLevel(barchan_sampler, uv, 0.0);
-    float stored_5 = _e13.x;
-    const float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_5);
-    const float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17);
-    return _e18;
-}
-
-float barchan_horizon_before_transfer(int2 place_4, int layer_3)
-{
-    const int2 _e4 = barchan_inside(BARCHAN_HORIZON, place_4, int(0));
-    float4 _e8 = barchan_horizon_texels.Load(int4(_e4, layer_3, int(0)));
+    const int2 _e4 = barchan_inside(BARCHAN_HORIZON, place_3, int(0));
+    float4 _e8 = barchan_horizon_texels.Load(int4(_e4, layer_2, int(0)));
     const float _e10 = barchan_scaled(BARCHAN_HORIZON, _e8.x);
     return _e10;
 }
 
-float barchan_horizon_texel(int2 place_5, int layer_4)
+float barchan_horizon_texel(int2 place_4, int layer_3)
 {
-    const float _e3 = barchan_horizon_before_transfer(place_5, layer_4);
+    const float _e3 = barchan_horizon_before_transfer(place_4, layer_3);
     const float _e4 = barchan_transferred(BARCHAN_HORIZON, _e3);
     return _e4;
 }
 
-float barchan_horizon_at(float2 place_6, int layer_5)
+float barchan_distance_before_transfer(int2 place_5, int layer_4)
 {
-    float2 _e8 = barchan_tables[1].extent;
-    float2 uv_1 = ((place_6 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_horizon_texels.SampleLevel(barchan_sampler, float3(uv_1, layer_5), 0.0);
-    float stored_6 = _e13.x;
-    const float _e17 = barchan_scaled(BARCHAN_HORIZON, stored_6);
-    const float _e18 = barchan_transferred(BARCHAN_HORIZON, _e17);
-    return _e18;
-}
-
-float barchan_distance_before_transfer(int2 place_7, int layer_6)
-{
-    const int2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_7, int(0));
-    float4 _e8 = barchan_distance_texels.Load(int4(_e4, layer_6, int(0)));
+    const int2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_5, int(0));
+    float4 _e8 = barchan_distance_texels.Load(int4(_e4, layer_4, int(0)));
     const float _e10 = barchan_scaled(BARCHAN_DISTANCE, _e8.x);
     return _e10;
 }
 
-float barchan_distance_texel(int2 place_8, int layer_7)
+float barchan_distance_texel(int2 place_6, int layer_5)
 {
-    const float _e3 = barchan_distance_before_transfer(place_8, layer_7);
+    const float _e3 = barchan_distance_before_transfer(place_6, layer_5);
     const float _e4 = barchan_transferred(BARCHAN_DISTANCE, _e3);
     return _e4;
-}
-
-float barchan_distance_at(float2 place_9, int layer_8)
-{
-    float2 _e8 = barchan_tables[2].extent;
-    float2 uv_2 = ((place_9 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_distance_texels.SampleLevel(barchan_sampler, float3(uv_2, layer_8), 0.0);
-    float stored_7 = _e13.x;
-    const float _e17 = barchan_scaled(BARCHAN_DISTANCE, stored_7);
-    const float _e18 = barchan_transferred(BARCHAN_DISTANCE, _e17);
-    return _e18;
 }
 
 int naga_mod(int lhs, int rhs) {
@@ -620,37 +586,85 @@ float barchan_curved_towards(BarchanGround ground_2, int2 texel_1, float height_
 
 float barchan_curved_texel(BarchanGround ground_3, int2 texel_2, BarchanNeighbours beside)
 {
+    float elevation = 0.0;
+    int side = int(0);
+
     const float _e4 = barchan_height_texel(texel_2, int(0));
-    const float _e6 = barchan_curved_towards(ground_3, texel_2, _e4, beside.first);
-    if ((beside.weight == 0.0)) {
-        return _e6;
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            int _e33 = side;
+            side = asint(asuint(_e33) + asuint(int(1)));
+        }
+        loop_init_1 = false;
+        int _e9 = side;
+        if ((_e9 < int(2))) {
+        } else {
+            break;
+        }
+        {
+            int _e16 = side;
+            float weight_1 = ((_e16 == int(1)) ? beside.weight : (1.0 - beside.weight));
+            if ((weight_1 != 0.0)) {
+                int _e24 = side;
+                int azimuth_3 = ((_e24 == int(1)) ? beside.second : beside.first);
+                float _e28 = elevation;
+                const float _e29 = barchan_curved_towards(ground_3, texel_2, _e4, azimuth_3);
+                elevation = (_e28 + (weight_1 * _e29));
+            }
+        }
     }
-    const float _e11 = barchan_curved_towards(ground_3, texel_2, _e4, beside.second);
-    return lerp(_e6, _e11, beside.weight);
+    float _e35 = elevation;
+    return _e35;
 }
 
-float barchan_curved_elevation(float2 place_10, BarchanTangentLight light, float curvature_1)
+float barchan_curved_elevation(float2 place_7, BarchanTangentLight light, float curvature_1)
 {
+    float elevation_1 = 0.0;
+    int tap = int(0);
+
     float _e7 = barchan_tables[0].least;
     const BarchanGround _e8 = barchan_ground(curvature_1, light.stretch, _e7);
     const BarchanNeighbours _e11 = barchan_neighbours(BARCHAN_HORIZON, light.azimuth);
-    float2 corner = floor(place_10);
-    int2 texel_3 = naga_f2i32(corner);
-    float2 part_1 = (place_10 - corner);
-    const float _e15 = barchan_curved_texel(_e8, texel_3, _e11);
-    const float _e20 = barchan_curved_texel(_e8, asint(asuint(texel_3) + asuint(int2(int(1), int(0)))), _e11);
-    const float _e25 = barchan_curved_texel(_e8, asint(asuint(texel_3) + asuint(int2(int(0), int(1)))), _e11);
-    const float _e30 = barchan_curved_texel(_e8, asint(asuint(texel_3) + asuint(int2(int(1), int(1)))), _e11);
-    float upper = lerp(_e15, _e20, part_1.x);
-    float lower = lerp(_e25, _e30, part_1.x);
-    return clamp(lerp(upper, lower, part_1.y), -1.5707963, BARCHAN_GREATEST_ELEVATION);
+    float2 corner = floor(place_7);
+    float2 part_1 = (place_7 - corner);
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            int _e45 = tap;
+            tap = asint(asuint(_e45) + asuint(int(1)));
+        }
+        loop_init_2 = false;
+        int _e18 = tap;
+        if ((_e18 < int(4))) {
+        } else {
+            break;
+        }
+        {
+            int _e21 = tap;
+            int _e24 = tap;
+            int2 offset_1 = int2((_e21 & int(1)), (_e24 >> 1u));
+            float2 weights = ((offset_1 == (int(1)).xx) ? part_1 : ((1.0).xx - part_1));
+            float _e35 = elevation_1;
+            const float _e41 = barchan_curved_texel(_e8, asint(asuint(naga_f2i32(corner)) + asuint(offset_1)), _e11);
+            elevation_1 = (_e35 + ((weights.x * weights.y) * _e41));
+        }
+    }
+    float _e47 = elevation_1;
+    return clamp(_e47, -1.5707963, BARCHAN_GREATEST_ELEVATION);
 }
 
-bool barchan_curved_in_shadow(float2 place_11, BarchanTangentLight light_1, float curvature_2)
+bool barchan_is_below(BarchanTangentLight light_1, float elevation_2)
 {
-    const float _e3 = barchan_curved_elevation(place_11, light_1, curvature_2);
-    const float2 _e4 = barchan_sine_cosine(_e3);
-    return ((light_1.height * _e4.y) < (light_1.level * _e4.x));
+    const float2 _e2 = barchan_sine_cosine(elevation_2);
+    return ((light_1.height * _e2.y) < (light_1.level * _e2.x));
+}
+
+bool barchan_curved_in_shadow(float2 place_8, BarchanTangentLight light_2, float curvature_2)
+{
+    const float _e3 = barchan_curved_elevation(place_8, light_2, curvature_2);
+    const bool _e4 = barchan_is_below(light_2, _e3);
+    return _e4;
 }
 
 float2 barchan_probe_place(float4 position_1)
@@ -681,6 +695,6 @@ float4 barchan_probe_curved(FragmentInput_barchan_probe_curved fragmentinput_bar
     float3 _e30 = barchan_probe.second_form;
     const float _e32 = barchan_curvature_along(_e27, _e30, _e24.direction);
     const float _e33 = barchan_curved_elevation(_e1, _e24, _e32);
-    const bool _e34 = barchan_curved_in_shadow(_e1, _e24, _e32);
+    const bool _e34 = barchan_is_below(_e24, _e33);
     return float4(_e33, (_e34 ? 1.0 : 0.0), _e32, _e24.azimuth);
 }

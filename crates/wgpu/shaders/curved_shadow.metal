@@ -91,7 +91,7 @@ float barchan_arcsine(
     float square = is_steep ? (0.5 * (1.0 - size)) : (size * size);
     float root = is_steep ? metal::sqrt(square) : size;
     float series = ((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root;
-    float angle_1 = is_steep ? (1.5707964 - (2.0 * series)) : series;
+    float angle_1 = is_steep ? (1.5707963 - (2.0 * series)) : series;
     return (sine < 0.0) ? -(angle_1) : angle_1;
 }
 
@@ -299,98 +299,50 @@ float barchan_height_texel(
     return _e4;
 }
 
-float barchan_height_at(
-    metal::float2 place_3,
-    int layer_2,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d<float, metal::access::sample> barchan_height_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[0].extent;
-    metal::float2 uv = (place_3 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_height_texels.sample(barchan_sampler, uv, metal::level(0.0));
-    float stored_5 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_5, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17, barchan_tables);
-    return _e18;
-}
-
 float barchan_horizon_before_transfer(
-    metal::int2 place_4,
-    int layer_3,
+    metal::int2 place_3,
+    int layer_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels
 ) {
-    metal::int2 _e4 = barchan_inside(BARCHAN_HORIZON, place_4, 0, barchan_tables);
-    metal::float4 _e8 = barchan_horizon_texels.read(metal::uint2(_e4), layer_3, 0);
+    metal::int2 _e4 = barchan_inside(BARCHAN_HORIZON, place_3, 0, barchan_tables);
+    metal::float4 _e8 = barchan_horizon_texels.read(metal::uint2(_e4), layer_2, 0);
     float _e10 = barchan_scaled(BARCHAN_HORIZON, _e8.x, barchan_tables);
     return _e10;
 }
 
 float barchan_horizon_texel(
-    metal::int2 place_5,
-    int layer_4,
+    metal::int2 place_4,
+    int layer_3,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels
 ) {
-    float _e3 = barchan_horizon_before_transfer(place_5, layer_4, barchan_tables, barchan_horizon_texels);
+    float _e3 = barchan_horizon_before_transfer(place_4, layer_3, barchan_tables, barchan_horizon_texels);
     float _e4 = barchan_transferred(BARCHAN_HORIZON, _e3, barchan_tables);
     return _e4;
 }
 
-float barchan_horizon_at(
-    metal::float2 place_6,
-    int layer_5,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[1].extent;
-    metal::float2 uv_1 = (place_6 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_horizon_texels.sample(barchan_sampler, uv_1, layer_5, metal::level(0.0));
-    float stored_6 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HORIZON, stored_6, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_HORIZON, _e17, barchan_tables);
-    return _e18;
-}
-
 float barchan_distance_before_transfer(
-    metal::int2 place_7,
-    int layer_6,
+    metal::int2 place_5,
+    int layer_4,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
-    metal::int2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_7, 0, barchan_tables);
-    metal::float4 _e8 = barchan_distance_texels.read(metal::uint2(_e4), layer_6, 0);
+    metal::int2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_5, 0, barchan_tables);
+    metal::float4 _e8 = barchan_distance_texels.read(metal::uint2(_e4), layer_4, 0);
     float _e10 = barchan_scaled(BARCHAN_DISTANCE, _e8.x, barchan_tables);
     return _e10;
 }
 
 float barchan_distance_texel(
-    metal::int2 place_8,
-    int layer_7,
+    metal::int2 place_6,
+    int layer_5,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
-    float _e3 = barchan_distance_before_transfer(place_8, layer_7, barchan_tables, barchan_distance_texels);
+    float _e3 = barchan_distance_before_transfer(place_6, layer_5, barchan_tables, barchan_distance_texels);
     float _e4 = barchan_transferred(BARCHAN_DISTANCE, _e3, barchan_tables);
     return _e4;
-}
-
-float barchan_distance_at(
-    metal::float2 place_9,
-    int layer_8,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[2].extent;
-    metal::float2 uv_2 = (place_9 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_distance_texels.sample(barchan_sampler, uv_2, layer_8, metal::level(0.0));
-    float stored_7 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_DISTANCE, stored_7, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_DISTANCE, _e17, barchan_tables);
-    return _e18;
 }
 
 int naga_mod(int lhs, int rhs) {
@@ -676,17 +628,39 @@ float barchan_curved_texel(
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
+    float elevation = 0.0;
+    int side = 0;
     float _e4 = barchan_height_texel(texel_2, 0, barchan_tables, barchan_height_texels);
-    float _e6 = barchan_curved_towards(ground_3, texel_2, _e4, beside.first, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
-    if (beside.weight == 0.0) {
-        return _e6;
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            int _e33 = side;
+            side = as_type<int>(as_type<uint>(_e33) + as_type<uint>(1));
+        }
+        loop_init_1 = false;
+        int _e9 = side;
+        if (_e9 < 2) {
+        } else {
+            break;
+        }
+        {
+            int _e16 = side;
+            float weight_1 = (_e16 == 1) ? beside.weight : (1.0 - beside.weight);
+            if (weight_1 != 0.0) {
+                int _e24 = side;
+                int azimuth_3 = (_e24 == 1) ? beside.second : beside.first;
+                float _e28 = elevation;
+                float _e29 = barchan_curved_towards(ground_3, texel_2, _e4, azimuth_3, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
+                elevation = _e28 + (weight_1 * _e29);
+            }
+        }
     }
-    float _e11 = barchan_curved_towards(ground_3, texel_2, _e4, beside.second, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
-    return metal::mix(_e6, _e11, beside.weight);
+    float _e35 = elevation;
+    return _e35;
 }
 
 float barchan_curved_elevation(
-    metal::float2 place_10,
+    metal::float2 place_7,
     BarchanTangentLight light,
     float curvature_1,
     constant BarchanTables& barchan_tables,
@@ -694,33 +668,59 @@ float barchan_curved_elevation(
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
+    float elevation_1 = 0.0;
+    int tap = 0;
     float _e7 = barchan_tables.inner[0].least;
     BarchanGround _e8 = barchan_ground(curvature_1, light.stretch, _e7);
     BarchanNeighbours _e11 = barchan_neighbours(BARCHAN_HORIZON, light.azimuth, barchan_tables);
-    metal::float2 corner = metal::floor(place_10);
-    metal::int2 texel_3 = naga_f2i32(corner);
-    metal::float2 part_1 = place_10 - corner;
-    float _e15 = barchan_curved_texel(_e8, texel_3, _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    float _e20 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(texel_3) + as_type<metal::uint2>(metal::int2(1, 0))), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    float _e25 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(texel_3) + as_type<metal::uint2>(metal::int2(0, 1))), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    float _e30 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(texel_3) + as_type<metal::uint2>(metal::int2(1, 1))), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    float upper = metal::mix(_e15, _e20, part_1.x);
-    float lower = metal::mix(_e25, _e30, part_1.x);
-    return metal::clamp(metal::mix(upper, lower, part_1.y), -1.5707963, BARCHAN_GREATEST_ELEVATION);
+    metal::float2 corner = metal::floor(place_7);
+    metal::float2 part_1 = place_7 - corner;
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            int _e45 = tap;
+            tap = as_type<int>(as_type<uint>(_e45) + as_type<uint>(1));
+        }
+        loop_init_2 = false;
+        int _e18 = tap;
+        if (_e18 < 4) {
+        } else {
+            break;
+        }
+        {
+            int _e21 = tap;
+            int _e24 = tap;
+            metal::int2 offset_1 = metal::int2(_e21 & 1, _e24 >> 1u);
+            metal::float2 weights = metal::select(metal::float2(1.0) - part_1, part_1, offset_1 == metal::int2(1));
+            float _e35 = elevation_1;
+            float _e41 = barchan_curved_texel(_e8, as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner)) + as_type<metal::uint2>(offset_1)), _e11, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
+            elevation_1 = _e35 + ((weights.x * weights.y) * _e41);
+        }
+    }
+    float _e47 = elevation_1;
+    return metal::clamp(_e47, -1.5707963, BARCHAN_GREATEST_ELEVATION);
+}
+
+bool barchan_is_below(
+    BarchanTangentLight light_1,
+    float elevation_2
+) {
+    metal::float2 _e2 = barchan_sine_cosine(elevation_2);
+    return (light_1.height * _e2.y) < (light_1.level * _e2.x);
 }
 
 bool barchan_curved_in_shadow(
-    metal::float2 place_11,
-    BarchanTangentLight light_1,
+    metal::float2 place_8,
+    BarchanTangentLight light_2,
     float curvature_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_height_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
-    float _e3 = barchan_curved_elevation(place_11, light_1, curvature_2, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    metal::float2 _e4 = barchan_sine_cosine(_e3);
-    return (light_1.height * _e4.y) < (light_1.level * _e4.x);
+    float _e3 = barchan_curved_elevation(place_8, light_2, curvature_2, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
+    bool _e4 = barchan_is_below(light_2, _e3);
+    return _e4;
 }
 
 metal::float2 barchan_probe_place(
@@ -770,6 +770,6 @@ fragment barchan_probe_curvedOutput barchan_probe_curved(
     metal::float3 _e30 = barchan_probe.second_form;
     float _e32 = barchan_curvature_along(_e27, _e30, _e24.direction);
     float _e33 = barchan_curved_elevation(_e1, _e24, _e32, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
-    bool _e34 = barchan_curved_in_shadow(_e1, _e24, _e32, barchan_tables, barchan_height_texels, barchan_horizon_texels, barchan_distance_texels);
+    bool _e34 = barchan_is_below(_e24, _e33);
     return barchan_probe_curvedOutput { metal::float4(_e33, _e34 ? 1.0 : 0.0, _e32, _e24.azimuth) };
 }

@@ -2,7 +2,8 @@
 //
 // Polynomials: Stephen Moshier, Cephes mathematical library, 1989.
 
-// The angle of a sine, within ±π/2.
+// The angle of a sine. The arc of 1 is the f32 just below π/2, the greatest elevation of the format: that just above has a negative
+// cosine, and would shade the zenith.
 fn barchan_arcsine(sine: f32) -> f32 {
     let size = min(abs(sine), 1.0);
     // Beyond ½ the half-angle: asin s = π/2 − 2 asin √((1 − s) / 2).
@@ -11,7 +12,7 @@ fn barchan_arcsine(sine: f32) -> f32 {
     let root = select(size, sqrt(square), is_steep);
     let series = ((((4.2163199048e-2 * square + 2.4181311049e-2) * square + 4.5470025998e-2) * square
         + 7.4953002686e-2) * square + 1.6666752422e-1) * square * root + root;
-    let angle = select(series, 1.5707963268 - 2.0 * series, is_steep);
+    let angle = select(series, 1.5707962513 - 2.0 * series, is_steep);
     return select(angle, -angle, sine < 0.0);
 }
 
@@ -160,9 +161,6 @@ fn barchan_transferred_cone(table: u32, number: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(number.x, barchan_transferred(table, number.y));
 }
 
-// Linear, with the edges of the tables as address modes.
-@group(0) @binding(1) var barchan_sampler: sampler;
-
 @group(0) @binding(2) var barchan_height_texels: texture_2d<f32>;
 
 const BARCHAN_HEIGHT: u32 = 0u;
@@ -174,12 +172,6 @@ fn barchan_height_before_transfer(place: vec2<i32>, layer: i32) -> f32 {
 
 fn barchan_height_texel(place: vec2<i32>, layer: i32) -> f32 {
     return barchan_transferred(BARCHAN_HEIGHT, barchan_height_before_transfer(place, layer));
-}
-
-fn barchan_height_at(place: vec2<f32>, layer: i32) -> f32 {
-    let uv = (place + 0.5) / barchan_tables[BARCHAN_HEIGHT].extent;
-    let stored = textureSampleLevel(barchan_height_texels, barchan_sampler, uv, 0.0).x;
-    return barchan_transferred(BARCHAN_HEIGHT, barchan_scaled(BARCHAN_HEIGHT, stored));
 }
 
 @group(0) @binding(3) var barchan_horizon_texels: texture_2d_array<f32>;
@@ -195,12 +187,6 @@ fn barchan_horizon_texel(place: vec2<i32>, layer: i32) -> f32 {
     return barchan_transferred(BARCHAN_HORIZON, barchan_horizon_before_transfer(place, layer));
 }
 
-fn barchan_horizon_at(place: vec2<f32>, layer: i32) -> f32 {
-    let uv = (place + 0.5) / barchan_tables[BARCHAN_HORIZON].extent;
-    let stored = textureSampleLevel(barchan_horizon_texels, barchan_sampler, uv, layer, 0.0).x;
-    return barchan_transferred(BARCHAN_HORIZON, barchan_scaled(BARCHAN_HORIZON, stored));
-}
-
 @group(0) @binding(4) var barchan_distance_texels: texture_2d_array<f32>;
 
 const BARCHAN_DISTANCE: u32 = 2u;
@@ -212,12 +198,6 @@ fn barchan_distance_before_transfer(place: vec2<i32>, layer: i32) -> f32 {
 
 fn barchan_distance_texel(place: vec2<i32>, layer: i32) -> f32 {
     return barchan_transferred(BARCHAN_DISTANCE, barchan_distance_before_transfer(place, layer));
-}
-
-fn barchan_distance_at(place: vec2<f32>, layer: i32) -> f32 {
-    let uv = (place + 0.5) / barchan_tables[BARCHAN_DISTANCE].extent;
-    let stored = textureSampleLevel(barchan_distance_texels, barchan_sampler, uv, layer, 0.0).x;
-    return barchan_transferred(BARCHAN_DISTANCE, barchan_scaled(BARCHAN_DISTANCE, stored));
 }
 
 // The two azimuths of a table beside an azimuth, and how far the second one counts.
@@ -487,34 +467,44 @@ fn barchan_curved_towards(ground: BarchanGround, texel: vec2<i32>, height: f32, 
 // The elevation of a texel's horizon between two azimuths.
 fn barchan_curved_texel(ground: BarchanGround, texel: vec2<i32>, beside: BarchanNeighbours) -> f32 {
     let height = barchan_height_texel(texel, 0);
-    let first = barchan_curved_towards(ground, texel, height, beside.first);
-    if beside.weight == 0.0 {
-        return first;
+    var elevation = 0.0;
+    for (var side = 0; side < 2; side++) {
+        let weight = select(1.0 - beside.weight, beside.weight, side == 1);
+        if weight != 0.0 {
+            let azimuth = select(beside.first, beside.second, side == 1);
+            elevation += weight * barchan_curved_towards(ground, texel, height, azimuth);
+        }
     }
-    return mix(first, barchan_curved_towards(ground, texel, height, beside.second), beside.weight);
+    return elevation;
 }
 
 // The elevation of the horizon towards a light above the tangent plane of a place; `curvature` is that of the base along the light.
+//
+// Loops, and not a call for each texel: compilers inline calls, and eight copies take them minutes.
 fn barchan_curved_elevation(place: vec2<f32>, light: BarchanTangentLight, curvature: f32) -> f32 {
     let ground = barchan_ground(curvature, light.stretch, barchan_tables[BARCHAN_HEIGHT].least);
     let beside = barchan_neighbours(BARCHAN_HORIZON, light.azimuth);
     let corner = floor(place);
-    let texel = vec2<i32>(corner);
     let part = place - corner;
-    let upper_left = barchan_curved_texel(ground, texel, beside);
-    let upper_right = barchan_curved_texel(ground, texel + vec2<i32>(1, 0), beside);
-    let lower_left = barchan_curved_texel(ground, texel + vec2<i32>(0, 1), beside);
-    let lower_right = barchan_curved_texel(ground, texel + vec2<i32>(1, 1), beside);
-    let upper = mix(upper_left, upper_right, part.x);
-    let lower = mix(lower_left, lower_right, part.x);
-    return clamp(mix(upper, lower, part.y), -BARCHAN_GREATEST_ELEVATION, BARCHAN_GREATEST_ELEVATION);
+    var elevation = 0.0;
+    for (var tap = 0; tap < 4; tap++) {
+        let offset = vec2<i32>(tap & 1, tap >> 1u);
+        let weights = select(1.0 - part, part, offset == vec2<i32>(1));
+        elevation += weights.x * weights.y * barchan_curved_texel(ground, vec2<i32>(corner) + offset, beside);
+    }
+    return clamp(elevation, -BARCHAN_GREATEST_ELEVATION, BARCHAN_GREATEST_ELEVATION);
 }
 
-// Whether the light stands below the horizon of a place: L′z < δ′ · |L′xy|. Light from below the tangent plane is not cut off: a bump
-// behind the terminator whose horizon is lower still is lit. At the zenith it always is; straight from below, never.
-fn barchan_curved_in_shadow(place: vec2<f32>, light: BarchanTangentLight, curvature: f32) -> bool {
-    let horizon = barchan_sine_cosine(barchan_curved_elevation(place, light, curvature));
+// Whether a light stands below a horizon: L′z < δ′ · |L′xy|. Light from below the tangent plane is not cut off: a bump behind the
+// terminator whose horizon is lower still is lit. At the zenith it always is; straight from below, never.
+fn barchan_is_below(light: BarchanTangentLight, elevation: f32) -> bool {
+    let horizon = barchan_sine_cosine(elevation);
     return light.height * horizon.y < light.level * horizon.x;
+}
+
+// Whether a place is in shadow.
+fn barchan_curved_in_shadow(place: vec2<f32>, light: BarchanTangentLight, curvature: f32) -> bool {
+    return barchan_is_below(light, barchan_curved_elevation(place, light, curvature));
 }
 
 // Probes draw the numbers of a technique: one place a pixel, for tests, benches and first light.
@@ -564,6 +554,6 @@ fn barchan_probe_curved(@builtin(position) position: vec4<f32>) -> @location(0) 
     let light = barchan_tangent_light(barchan_probe.along_u, barchan_probe.along_v, normal, barchan_probe.light, extent);
     let curvature = barchan_curvature_along(barchan_probe.first_form, barchan_probe.second_form, light.direction);
     let elevation = barchan_curved_elevation(place, light, curvature);
-    let is_dark = barchan_curved_in_shadow(place, light, curvature);
+    let is_dark = barchan_is_below(light, elevation);
     return vec4<f32>(elevation, select(0.0, 1.0, is_dark), curvature, light.azimuth);
 }

@@ -2,7 +2,8 @@
 //
 // Polynomials: Stephen Moshier, Cephes mathematical library, 1989.
 
-// The angle of a sine, within ±π/2.
+// The angle of a sine. The arc of 1 is the f32 just below π/2, the greatest elevation of the format: that just above has a negative
+// cosine, and would shade the zenith.
 fn barchan_arcsine(sine: f32) -> f32 {
     let size = min(abs(sine), 1.0);
     // Beyond ½ the half-angle: asin s = π/2 − 2 asin √((1 − s) / 2).
@@ -11,7 +12,7 @@ fn barchan_arcsine(sine: f32) -> f32 {
     let root = select(size, sqrt(square), is_steep);
     let series = ((((4.2163199048e-2 * square + 2.4181311049e-2) * square + 4.5470025998e-2) * square
         + 7.4953002686e-2) * square + 1.6666752422e-1) * square * root + root;
-    let angle = select(series, 1.5707963268 - 2.0 * series, is_steep);
+    let angle = select(series, 1.5707962513 - 2.0 * series, is_steep);
     return select(angle, -angle, sine < 0.0);
 }
 

@@ -49,12 +49,17 @@ struct BarchanProbe {
 static const uint BARCHAN_HORIZON = 1u;
 static const uint BARCHAN_DISTANCE = 2u;
 static const float BARCHAN_TURN = 6.2831855;
+static const float BARCHAN_SMALLEST_DISC = 1e-6;
 
 cbuffer barchan_tables : register(b0) { BarchanTable barchan_tables[12]; }
 SamplerState barchan_sampler : register(s1);
 Texture2DArray<float4> barchan_horizon_texels : register(t3);
 Texture2DArray<float4> barchan_distance_texels : register(t4);
 cbuffer barchan_probe : register(b14) { BarchanProbe barchan_probe; }
+
+struct FragmentInput_barchan_probe_penumbra {
+    float4 position_2 : SV_Position;
+};
 
 float barchan_arcsine(float sine)
 {
@@ -63,7 +68,7 @@ float barchan_arcsine(float sine)
     float square = (is_steep ? (0.5 * (1.0 - size)) : (size * size));
     float root = (is_steep ? sqrt(square) : size);
     float series = (((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root);
-    float angle_1 = (is_steep ? (1.5707964 - (2.0 * series)) : series);
+    float angle_1 = (is_steep ? (1.5707963 - (2.0 * series)) : series);
     return ((sine < 0.0) ? -(angle_1) : angle_1);
 }
 
@@ -259,17 +264,6 @@ float barchan_distance_texel(int2 place_5, int layer_4)
     return _e4;
 }
 
-float barchan_distance_at(float2 place_6, int layer_5)
-{
-    float2 _e8 = barchan_tables[2].extent;
-    float2 uv_1 = ((place_6 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_distance_texels.SampleLevel(barchan_sampler, float3(uv_1, layer_5), 0.0);
-    float stored_5 = _e13.x;
-    const float _e17 = barchan_scaled(BARCHAN_DISTANCE, stored_5);
-    const float _e18 = barchan_transferred(BARCHAN_DISTANCE, _e17);
-    return _e18;
-}
-
 int naga_mod(int lhs, int rhs) {
     int divisor = ((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs;
     return lhs - (lhs / divisor) * divisor;
@@ -303,9 +297,9 @@ BarchanNeighbours barchan_neighbours(uint table_9, float azimuth)
         const BarchanNeighbours barchanneighbours = ConstructBarchanNeighbours(int(0), int(0), 0.0);
         return barchanneighbours;
     }
-    float position_1 = (offset / step_);
-    float index_1 = floor(position_1);
-    float weight = (position_1 - index_1);
+    float position_3 = (offset / step_);
+    float index_1 = floor(position_3);
+    float weight = (position_3 - index_1);
     uint _e41 = barchan_tables[table_9].is_circle;
     if ((_e41 != 0u)) {
         int first_1 = naga_mod(naga_f2i32(index_1), count);
@@ -316,7 +310,7 @@ BarchanNeighbours barchan_neighbours(uint table_9, float azimuth)
     float span = (float(last) * step_);
     if ((offset < span)) {
         int first_2 = min(naga_f2i32(index_1), asint(asuint(last) - asuint(int(1))));
-        const BarchanNeighbours barchanneighbours_2 = ConstructBarchanNeighbours(first_2, asint(asuint(first_2) + asuint(int(1))), min((position_1 - float(first_2)), 1.0));
+        const BarchanNeighbours barchanneighbours_2 = ConstructBarchanNeighbours(first_2, asint(asuint(first_2) + asuint(int(1))), min((position_3 - float(first_2)), 1.0));
         return barchanneighbours_2;
     }
     int end = (((BARCHAN_TURN - offset) <= (offset - span)) ? int(0) : last);
@@ -324,14 +318,92 @@ BarchanNeighbours barchan_neighbours(uint table_9, float azimuth)
     return barchanneighbours_3;
 }
 
-float2 barchan_probe_place(float4 position)
+float2 barchan_penumbra_horizon(float2 place_6, float azimuth_1, float level_distance)
+{
+    float coverage = 0.0;
+    float elevation = 0.0;
+    int tap = int(0);
+
+    const BarchanNeighbours _e4 = barchan_neighbours(BARCHAN_HORIZON, azimuth_1);
+    float _e8 = barchan_tables[2].greatest;
+    if ((level_distance > _e8)) {
+        const float _e11 = barchan_horizon_at(place_6, _e4.first);
+        const float _e13 = barchan_horizon_at(place_6, _e4.second);
+        return float2(1.0, lerp(_e11, _e13, _e4.weight));
+    }
+    float2 corner = floor(place_6);
+    float2 part_1 = (place_6 - corner);
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            int _e71 = tap;
+            tap = asint(asuint(_e71) + asuint(int(1)));
+        }
+        loop_init = false;
+        int _e26 = tap;
+        if ((_e26 < int(8))) {
+        } else {
+            break;
+        }
+        {
+            int _e29 = tap;
+            bool is_second = (_e29 > int(3));
+            int layer_5 = (is_second ? _e4.second : _e4.first);
+            int _e35 = tap;
+            int _e38 = tap;
+            int2 offset_1 = int2((_e35 & int(1)), ((_e38 >> 1u) & int(1)));
+            int2 texel = asint(asuint(naga_f2i32(corner)) + asuint(offset_1));
+            const float _e46 = barchan_distance_texel(texel, layer_5);
+            if ((_e46 < level_distance)) {
+                float2 weights = ((offset_1 == (int(1)).xx) ? part_1 : ((1.0).xx - part_1));
+                float weight_1 = ((weights.x * weights.y) * (is_second ? _e4.weight : (1.0 - _e4.weight)));
+                float _e64 = coverage;
+                coverage = (_e64 + weight_1);
+                float _e66 = elevation;
+                const float _e67 = barchan_horizon_texel(texel, layer_5);
+                elevation = (_e66 + (weight_1 * _e67));
+            }
+        }
+    }
+    float _e73 = coverage;
+    float _e74 = elevation;
+    float _e75 = coverage;
+    return float2(_e73, (_e74 / max(_e75, 1e-6)));
+}
+
+float barchan_penumbra_visibility(float2 place_7, float3 towards, float angular_radius, float level_distance_1)
+{
+    const float _e5 = barchan_azimuth(towards.xy);
+    const float2 _e6 = barchan_penumbra_horizon(place_7, _e5, level_distance_1);
+    const float2 _e8 = barchan_sine_cosine(_e6.y);
+    float level_1 = length(towards.xy);
+    float rise = ((towards.z * _e8.y) - (level_1 * _e8.x));
+    float run = ((level_1 * _e8.y) + (towards.z * _e8.x));
+    const float2 _e23 = barchan_sine_cosine(angular_radius);
+    float radius = max((_e23.x / _e23.y), BARCHAN_SMALLEST_DISC);
+    float t = clamp((rise / (max(run, BARCHAN_SMALLEST_DISC) * radius)), -1.0, 1.0);
+    const float _e41 = barchan_arcsine(t);
+    float seen = (0.5 + (((t * sqrt((1.0 - (t * t)))) + _e41) * 0.3183099));
+    return clamp((1.0 - (_e6.x * (1.0 - seen))), 0.0, 1.0);
+}
+
+float2 barchan_probe_place(float4 position_1)
 {
     float2 _e3 = barchan_probe.place;
     float2 _e8 = barchan_probe.step_;
-    return (_e3 + (floor(position.xy) * _e8));
+    return (_e3 + (floor(position_1.xy) * _e8));
 }
 
 float4 barchan_probe_vertex(uint index : SV_VertexID) : SV_Position
 {
     return float4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+}
+
+float4 barchan_probe_penumbra(FragmentInput_barchan_probe_penumbra fragmentinput_barchan_probe_penumbra) : SV_Target0
+{
+    float4 position = fragmentinput_barchan_probe_penumbra.position_2;
+    const float2 _e1 = barchan_probe_place(position);
+    BarchanProbe probe = barchan_probe;
+    const float _e7 = barchan_penumbra_visibility(_e1, probe.light, probe.angular_radius, probe.level_distance);
+    return float4(_e7, 0.0, 0.0, 0.0);
 }

@@ -55,6 +55,7 @@ struct BarchanProbe {
 constant uint BARCHAN_HORIZON = 1u;
 constant uint BARCHAN_DISTANCE = 2u;
 constant float BARCHAN_TURN = 6.2831855;
+constant float BARCHAN_SMALLEST_DISC = 0.000001;
 
 float barchan_arcsine(
     float sine
@@ -64,7 +65,7 @@ float barchan_arcsine(
     float square = is_steep ? (0.5 * (1.0 - size)) : (size * size);
     float root = is_steep ? metal::sqrt(square) : size;
     float series = ((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root;
-    float angle_1 = is_steep ? (1.5707964 - (2.0 * series)) : series;
+    float angle_1 = is_steep ? (1.5707963 - (2.0 * series)) : series;
     return (sine < 0.0) ? -(angle_1) : angle_1;
 }
 
@@ -311,22 +312,6 @@ float barchan_distance_texel(
     return _e4;
 }
 
-float barchan_distance_at(
-    metal::float2 place_6,
-    int layer_5,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[2].extent;
-    metal::float2 uv_1 = (place_6 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_distance_texels.sample(barchan_sampler, uv_1, layer_5, metal::level(0.0));
-    float stored_5 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_DISTANCE, stored_5, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_DISTANCE, _e17, barchan_tables);
-    return _e18;
-}
-
 int naga_mod(int lhs, int rhs) {
     int divisor = metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
     return lhs - (lhs / divisor) * divisor;
@@ -353,9 +338,9 @@ BarchanNeighbours barchan_neighbours(
     if (_e30) {
         return BarchanNeighbours {0, 0, 0.0};
     }
-    float position_1 = offset / step;
-    float index_1 = metal::floor(position_1);
-    float weight = position_1 - index_1;
+    float position_2 = offset / step;
+    float index_1 = metal::floor(position_2);
+    float weight = position_2 - index_1;
     uint _e41 = barchan_tables.inner[table_9].is_circle;
     if (_e41 != 0u) {
         int first_1 = naga_mod(naga_f2i32(index_1), count);
@@ -365,19 +350,102 @@ BarchanNeighbours barchan_neighbours(
     float span = static_cast<float>(last) * step;
     if (offset < span) {
         int first_2 = metal::min(naga_f2i32(index_1), as_type<int>(as_type<uint>(last) - as_type<uint>(1)));
-        return BarchanNeighbours {first_2, as_type<int>(as_type<uint>(first_2) + as_type<uint>(1)), metal::min(position_1 - static_cast<float>(first_2), 1.0)};
+        return BarchanNeighbours {first_2, as_type<int>(as_type<uint>(first_2) + as_type<uint>(1)), metal::min(position_2 - static_cast<float>(first_2), 1.0)};
     }
     int end = ((BARCHAN_TURN - offset) <= (offset - span)) ? 0 : last;
     return BarchanNeighbours {end, end, 0.0};
 }
 
+metal::float2 barchan_penumbra_horizon(
+    metal::float2 place_6,
+    float azimuth_1,
+    float level_distance,
+    constant BarchanTables& barchan_tables,
+    metal::sampler barchan_sampler,
+    metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
+    metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
+) {
+    float coverage = 0.0;
+    float elevation = 0.0;
+    int tap = 0;
+    BarchanNeighbours _e4 = barchan_neighbours(BARCHAN_HORIZON, azimuth_1, barchan_tables);
+    float _e8 = barchan_tables.inner[2].greatest;
+    if (level_distance > _e8) {
+        float _e11 = barchan_horizon_at(place_6, _e4.first, barchan_tables, barchan_sampler, barchan_horizon_texels);
+        float _e13 = barchan_horizon_at(place_6, _e4.second, barchan_tables, barchan_sampler, barchan_horizon_texels);
+        return metal::float2(1.0, metal::mix(_e11, _e13, _e4.weight));
+    }
+    metal::float2 corner = metal::floor(place_6);
+    metal::float2 part_1 = place_6 - corner;
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            int _e71 = tap;
+            tap = as_type<int>(as_type<uint>(_e71) + as_type<uint>(1));
+        }
+        loop_init = false;
+        int _e26 = tap;
+        if (_e26 < 8) {
+        } else {
+            break;
+        }
+        {
+            int _e29 = tap;
+            bool is_second = _e29 > 3;
+            int layer_5 = is_second ? _e4.second : _e4.first;
+            int _e35 = tap;
+            int _e38 = tap;
+            metal::int2 offset_1 = metal::int2(_e35 & 1, (_e38 >> 1u) & 1);
+            metal::int2 texel = as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner)) + as_type<metal::uint2>(offset_1));
+            float _e46 = barchan_distance_texel(texel, layer_5, barchan_tables, barchan_distance_texels);
+            if (_e46 < level_distance) {
+                metal::float2 weights = metal::select(metal::float2(1.0) - part_1, part_1, offset_1 == metal::int2(1));
+                float weight_1 = (weights.x * weights.y) * (is_second ? _e4.weight : (1.0 - _e4.weight));
+                float _e64 = coverage;
+                coverage = _e64 + weight_1;
+                float _e66 = elevation;
+                float _e67 = barchan_horizon_texel(texel, layer_5, barchan_tables, barchan_horizon_texels);
+                elevation = _e66 + (weight_1 * _e67);
+            }
+        }
+    }
+    float _e73 = coverage;
+    float _e74 = elevation;
+    float _e75 = coverage;
+    return metal::float2(_e73, _e74 / metal::max(_e75, 0.000001));
+}
+
+float barchan_penumbra_visibility(
+    metal::float2 place_7,
+    metal::float3 towards,
+    float angular_radius,
+    float level_distance_1,
+    constant BarchanTables& barchan_tables,
+    metal::sampler barchan_sampler,
+    metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
+    metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
+) {
+    float _e5 = barchan_azimuth(towards.xy);
+    metal::float2 _e6 = barchan_penumbra_horizon(place_7, _e5, level_distance_1, barchan_tables, barchan_sampler, barchan_horizon_texels, barchan_distance_texels);
+    metal::float2 _e8 = barchan_sine_cosine(_e6.y);
+    float level_1 = metal::length(towards.xy);
+    float rise = (towards.z * _e8.y) - (level_1 * _e8.x);
+    float run = (level_1 * _e8.y) + (towards.z * _e8.x);
+    metal::float2 _e23 = barchan_sine_cosine(angular_radius);
+    float radius = metal::max(_e23.x / _e23.y, BARCHAN_SMALLEST_DISC);
+    float t = metal::clamp(rise / (metal::max(run, BARCHAN_SMALLEST_DISC) * radius), -1.0, 1.0);
+    float _e41 = barchan_arcsine(t);
+    float seen = 0.5 + (((t * metal::sqrt(1.0 - (t * t))) + _e41) * 0.3183099);
+    return metal::clamp(1.0 - (_e6.x * (1.0 - seen)), 0.0, 1.0);
+}
+
 metal::float2 barchan_probe_place(
-    metal::float4 position,
+    metal::float4 position_1,
     constant BarchanProbe& barchan_probe
 ) {
     metal::float2 _e3 = barchan_probe.place;
     metal::float2 _e8 = barchan_probe.step;
-    return _e3 + (metal::floor(position.xy) * _e8);
+    return _e3 + (metal::floor(position_1.xy) * _e8);
 }
 
 struct barchan_probe_vertexInput {
@@ -389,4 +457,24 @@ vertex barchan_probe_vertexOutput barchan_probe_vertex(
   uint index [[vertex_id]]
 ) {
     return barchan_probe_vertexOutput { metal::float4((static_cast<float>(index & 1u) * 4.0) - 1.0, (static_cast<float>(index >> 1u) * 4.0) - 1.0, 0.0, 1.0) };
+}
+
+
+struct barchan_probe_penumbraInput {
+};
+struct barchan_probe_penumbraOutput {
+    metal::float4 member_1 [[color(0)]];
+};
+fragment barchan_probe_penumbraOutput barchan_probe_penumbra(
+  metal::float4 position [[position]]
+, constant BarchanTables& barchan_tables [[buffer(0)]]
+, metal::sampler barchan_sampler [[sampler(1)]]
+, metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels [[texture(3)]]
+, metal::texture2d_array<float, metal::access::sample> barchan_distance_texels [[texture(4)]]
+, constant BarchanProbe& barchan_probe [[buffer(14)]]
+) {
+    metal::float2 _e1 = barchan_probe_place(position, barchan_probe);
+    BarchanProbe probe = barchan_probe;
+    float _e7 = barchan_penumbra_visibility(_e1, probe.light, probe.angular_radius, probe.level_distance, barchan_tables, barchan_sampler, barchan_horizon_texels, barchan_distance_texels);
+    return barchan_probe_penumbraOutput { metal::float4(_e7, 0.0, 0.0, 0.0) };
 }

@@ -2,7 +2,8 @@
 //
 // Polynomials: Stephen Moshier, Cephes mathematical library, 1989.
 
-// The angle of a sine, within ±π/2.
+// The angle of a sine. The arc of 1 is the f32 just below π/2, the greatest elevation of the format: that just above has a negative
+// cosine, and would shade the zenith.
 fn barchan_arcsine(sine: f32) -> f32 {
     let size = min(abs(sine), 1.0);
     // Beyond ½ the half-angle: asin s = π/2 − 2 asin √((1 − s) / 2).
@@ -11,7 +12,7 @@ fn barchan_arcsine(sine: f32) -> f32 {
     let root = select(size, sqrt(square), is_steep);
     let series = ((((4.2163199048e-2 * square + 2.4181311049e-2) * square + 4.5470025998e-2) * square
         + 7.4953002686e-2) * square + 1.6666752422e-1) * square * root + root;
-    let angle = select(series, 1.5707963268 - 2.0 * series, is_steep);
+    let angle = select(series, 1.5707962513 - 2.0 * series, is_steep);
     return select(angle, -angle, sine < 0.0);
 }
 
@@ -195,12 +196,6 @@ fn barchan_distance_texel(place: vec2<i32>, layer: i32) -> f32 {
     return barchan_transferred(BARCHAN_DISTANCE, barchan_distance_before_transfer(place, layer));
 }
 
-fn barchan_distance_at(place: vec2<f32>, layer: i32) -> f32 {
-    let uv = (place + 0.5) / barchan_tables[BARCHAN_DISTANCE].extent;
-    let stored = textureSampleLevel(barchan_distance_texels, barchan_sampler, uv, layer, 0.0).x;
-    return barchan_transferred(BARCHAN_DISTANCE, barchan_scaled(BARCHAN_DISTANCE, stored));
-}
-
 // The two azimuths of a table beside an azimuth, and how far the second one counts.
 //
 // On a full circle the last is followed by the first; beyond an arc its nearer end stands alone.
@@ -238,6 +233,64 @@ fn barchan_neighbours(table: u32, azimuth: f32) -> BarchanNeighbours {
     return BarchanNeighbours(end, end, 0.0);
 }
 
+// Soft shadows of a disc light on a flat base surface, from horizon and distance maps, without a search for blockers.
+//
+// A disc of angular radius α about the elevation θ is cut by the horizon at the elevation ε along a chord; seen is the share
+//
+//   V = ½ + (t √(1 − t²) + asin t) / π,  t = clamp(tan(θ − ε) / tan α, −1, 1).
+//
+// What stands behind a light that is close by does not hide it. Of the eight taps, four texels in each of the two azimuths beside
+// the light's, those count whose horizon is nearer than the light: with c the sum of their weights and ε the weighted mean of
+// their elevations, V = 1 − c (1 − V(ε)). Distances jump from texel to texel, so then texels are loaded, never filtered. Nothing is
+// behind a sun: its horizon is that of hard shadows, which are the limit α → 0.
+
+// A disc no larger than this at the distance 1 is a point.
+const BARCHAN_SMALLEST_DISC: f32 = 1e-6;
+
+// The share of what blocks, 0 to 1, and the elevation of its horizon.
+//
+// A loop, and not a call for each texel: compilers inline calls, and eight copies take them long.
+fn barchan_penumbra_horizon(place: vec2<f32>, azimuth: f32, level_distance: f32) -> vec2<f32> {
+    let beside = barchan_neighbours(BARCHAN_HORIZON, azimuth);
+    if level_distance > barchan_tables[BARCHAN_DISTANCE].greatest {
+        let first = barchan_horizon_at(place, beside.first);
+        return vec2<f32>(1.0, mix(first, barchan_horizon_at(place, beside.second), beside.weight));
+    }
+    let corner = floor(place);
+    let part = place - corner;
+    var coverage = 0.0;
+    var elevation = 0.0;
+    for (var tap = 0; tap < 8; tap++) {
+        let is_second = tap > 3;
+        let layer = select(beside.first, beside.second, is_second);
+        let offset = vec2<i32>(tap & 1, (tap >> 1u) & 1);
+        let texel = vec2<i32>(corner) + offset;
+        if barchan_distance_texel(texel, layer) < level_distance {
+            let weights = select(1.0 - part, part, offset == vec2<i32>(1));
+            let weight = weights.x * weights.y * select(1.0 - beside.weight, beside.weight, is_second);
+            coverage += weight;
+            elevation += weight * barchan_horizon_texel(texel, layer);
+        }
+    }
+    return vec2<f32>(coverage, elevation / max(coverage, 1e-6));
+}
+
+// How much of a disc is seen from a place, 0 to 1. `towards` is a unit vector to its centre in the frame (u, v up the picture, height),
+// its angular radius is in radians, less than a right angle; `level_distance` is how far away it is along the base, for a sun any
+// large number.
+fn barchan_penumbra_visibility(place: vec2<f32>, towards: vec3<f32>, angular_radius: f32, level_distance: f32) -> f32 {
+    let blocking = barchan_penumbra_horizon(place, barchan_azimuth(towards.xy), level_distance);
+    let horizon = barchan_sine_cosine(blocking.y);
+    let level = length(towards.xy);
+    // The sine and the cosine of θ − ε; at a right angle and beyond, all of the disc is on one side.
+    let rise = towards.z * horizon.y - level * horizon.x;
+    let run = level * horizon.y + towards.z * horizon.x;
+    let disc = barchan_sine_cosine(angular_radius);
+    let radius = max(disc.x / disc.y, BARCHAN_SMALLEST_DISC);
+    let t = clamp(rise / (max(run, BARCHAN_SMALLEST_DISC) * radius), -1.0, 1.0);
+    let seen = 0.5 + (t * sqrt(1.0 - t * t) + barchan_arcsine(t)) * 0.31830989;
+    return clamp(1.0 - blocking.x * (1.0 - seen), 0.0, 1.0);
+}
 
 // Probes draw the numbers of a technique: one place a pixel, for tests, benches and first light.
 
@@ -274,4 +327,14 @@ fn barchan_probe_vertex(@builtin(vertex_index) index: u32) -> @builtin(position)
 
 fn barchan_probe_place(position: vec4<f32>) -> vec2<f32> {
     return barchan_probe.place + floor(position.xy) * barchan_probe.step;
+}
+
+// The share of the light's disc that is seen.
+@fragment
+fn barchan_probe_penumbra(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    let place = barchan_probe_place(position);
+    let probe = barchan_probe;
+    return vec4<f32>(
+        barchan_penumbra_visibility(place, probe.light, probe.angular_radius, probe.level_distance), 0.0, 0.0, 0.0,
+    );
 }

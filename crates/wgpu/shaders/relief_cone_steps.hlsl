@@ -23,6 +23,21 @@ struct BarchanTable {
     float greatest;
 };
 
+struct BarchanTangentLight {
+    float height;
+    float level;
+    float2 direction;
+    float azimuth;
+    float stretch;
+};
+
+struct BarchanGradients {
+    float3 of_u;
+    int _pad1_0;
+    float3 of_v;
+    int _end_pad_0;
+};
+
 struct BarchanReliefRay {
     float2 place;
     float2 step_;
@@ -106,7 +121,7 @@ float barchan_arcsine(float sine)
     float square = (is_steep ? (0.5 * (1.0 - size)) : (size * size));
     float root = (is_steep ? sqrt(square) : size);
     float series = (((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root);
-    float angle_1 = (is_steep ? (1.5707964 - (2.0 * series)) : series);
+    float angle_1 = (is_steep ? (1.5707963 - (2.0 * series)) : series);
     return ((sine < 0.0) ? -(angle_1) : angle_1);
 }
 
@@ -193,10 +208,10 @@ int2 barchan_inside(uint table, int2 place, int level)
     uint first = barchan_tables[table].first_level;
     float2 _e10 = barchan_tables[table].extent;
     int2 whole = naga_f2i32(_e10);
-    int2 extent = max((whole >> ((first + uint(level))).xx), (int(1)).xx);
+    int2 extent_1 = max((whole >> ((first + uint(level))).xx), (int(1)).xx);
     uint edges = barchan_tables[table].edges;
-    int2 repeated = naga_mod(asint(asuint(naga_mod(place, extent)) + asuint(extent)), extent);
-    int2 clamped = clamp(place, (int(0)).xx, asint(asuint(extent) - asuint((int(1)).xx)));
+    int2 repeated = naga_mod(asint(asuint(naga_mod(place, extent_1)) + asuint(extent_1)), extent_1);
+    int2 clamped = clamp(place, (int(0)).xx, asint(asuint(extent_1) - asuint((int(1)).xx)));
     const int2 _e41 = barchan_chosen(clamped, repeated, bool2(((edges & 1u) != 0u), ((edges & 2u) != 0u)));
     return _e41;
 }
@@ -276,41 +291,96 @@ float barchan_height_texel(int2 place_2, int layer_1)
     return _e4;
 }
 
-float barchan_height_at(float2 place_3, int layer_2)
+float2 barchan_cone_map_before_transfer(int2 place_3, int layer_2)
 {
-    float2 _e8 = barchan_tables[0].extent;
-    float2 uv = ((place_3 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_height_texels.SampleLevel(barchan_sampler, uv, 0.0);
-    float stored_4 = _e13.x;
-    const float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_4);
-    const float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17);
-    return _e18;
-}
-
-float2 barchan_cone_map_before_transfer(int2 place_4, int layer_3)
-{
-    const int2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_4, int(0));
-    float4 _e7 = barchan_cone_map_texels.Load(int3(_e4, layer_3));
+    const int2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_3, int(0));
+    float4 _e7 = barchan_cone_map_texels.Load(int3(_e4, layer_2));
     const float2 _e9 = barchan_scaled_cone(BARCHAN_CONE_MAP, _e7.xy);
     return _e9;
 }
 
-float2 barchan_cone_map_texel(int2 place_5, int layer_4)
+float2 barchan_cone_map_texel(int2 place_4, int layer_3)
 {
-    const float2 _e3 = barchan_cone_map_before_transfer(place_5, layer_4);
+    const float2 _e3 = barchan_cone_map_before_transfer(place_4, layer_3);
     const float2 _e4 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e3);
     return _e4;
 }
 
-float2 barchan_cone_map_at(float2 place_6, int layer_5)
+float2 barchan_cone_map_at(float2 place_5, int layer_4)
 {
     float2 _e8 = barchan_tables[9].extent;
-    float2 uv_1 = ((place_6 + (0.5).xx) / _e8);
-    float4 _e13 = barchan_cone_map_texels.SampleLevel(barchan_sampler, uv_1, 0.0);
-    float2 stored_5 = _e13.xy;
-    const float2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_5);
+    float2 uv = ((place_5 + (0.5).xx) / _e8);
+    float4 _e13 = barchan_cone_map_texels.SampleLevel(barchan_sampler, uv, 0.0);
+    float2 stored_4 = _e13.xy;
+    const float2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_4);
     const float2 _e18 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e17);
     return _e18;
+}
+
+BarchanGradients ConstructBarchanGradients(float3 arg0, float3 arg1) {
+    BarchanGradients ret = (BarchanGradients)0;
+    ret.of_u = arg0;
+    ret.of_v = arg1;
+    return ret;
+}
+
+BarchanGradients barchan_gradients(float3 along_u, float3 along_v)
+{
+    float3 area = cross(along_u, along_v);
+    float area_squared = dot(area, area);
+    if (!((area_squared > 0.0))) {
+        const BarchanGradients barchangradients = ConstructBarchanGradients((0.0).xxx, (0.0).xxx);
+        return barchangradients;
+    }
+    const BarchanGradients barchangradients_1 = ConstructBarchanGradients((cross(along_v, area) / (area_squared).xxx), (cross(area, along_u) / (area_squared).xxx));
+    return barchangradients_1;
+}
+
+float2 barchan_texture_step(float3 along_u_1, float3 along_v_1, float3 vector_)
+{
+    const BarchanGradients _e3 = barchan_gradients(along_u_1, along_v_1);
+    return float2(dot(vector_, _e3.of_u), dot(vector_, _e3.of_v));
+}
+
+float3 barchan_bump_normal(float3 along_u_2, float3 along_v_2, float3 normal, float2 per_uv)
+{
+    const BarchanGradients _e4 = barchan_gradients(along_u_2, along_v_2);
+    return normalize(((normal - (per_uv.x * _e4.of_u)) - (per_uv.y * _e4.of_v)));
+}
+
+BarchanTangentLight ConstructBarchanTangentLight(float arg0, float arg1, float2 arg2, float arg3, float arg4) {
+    BarchanTangentLight ret = (BarchanTangentLight)0;
+    ret.height = arg0;
+    ret.level = arg1;
+    ret.direction = arg2;
+    ret.azimuth = arg3;
+    ret.stretch = arg4;
+    return ret;
+}
+
+BarchanTangentLight barchan_tangent_light(float3 along_u_3, float3 along_v_3, float3 normal_1, float3 towards, float2 extent)
+{
+    bool local_1 = (bool)0;
+
+    float height_1 = dot(towards, normal_1);
+    float3 tangent_1 = (towards - (normal_1 * height_1));
+    float level_1 = length(tangent_1);
+    const float2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_1);
+    float2 on_grid = (_e9 * extent);
+    float grid_length = length(on_grid);
+    if ((level_1 > 0.0)) {
+        local_1 = (grid_length > 0.0);
+    } else {
+        local_1 = false;
+    }
+    bool _e19 = local_1;
+    if (!(_e19)) {
+        const BarchanTangentLight barchantangentlight = ConstructBarchanTangentLight(height_1, level_1, _e9, 0.0, 1.0);
+        return barchantangentlight;
+    }
+    const float _e24 = barchan_azimuth(on_grid);
+    const BarchanTangentLight barchantangentlight_1 = ConstructBarchanTangentLight(height_1, level_1, _e9, _e24, (level_1 / grid_length));
+    return barchantangentlight_1;
 }
 
 float barchan_relief_thickness()
@@ -336,13 +406,13 @@ float barchan_relief_depth(float height)
     return _e2.x;
 }
 
-float2 barchan_relief_in_tile(float2 place_7)
+float2 barchan_relief_in_tile(float2 place_6)
 {
-    float2 extent_1 = barchan_tables[0].extent;
+    float2 extent_2 = barchan_tables[0].extent;
     uint edges_1 = barchan_tables[0].edges;
     bool2 repeats = bool2(((edges_1 & 1u) != 0u), ((edges_1 & 2u) != 0u));
-    float2 rest_1 = (place_7 - (floor((place_7 / extent_1)) * extent_1));
-    return (repeats ? ((rest_1 < (0.0).xx) ? (rest_1 + extent_1) : rest_1) : place_7);
+    float2 rest_1 = (place_6 - (floor((place_6 / extent_2)) * extent_2));
+    return (repeats ? ((rest_1 < (0.0).xx) ? (rest_1 + extent_2) : rest_1) : place_6);
 }
 
 BarchanReliefRay ConstructBarchanReliefRay(float2 arg0, float2 arg1, float3 arg2, float arg3, bool arg4) {
@@ -355,55 +425,55 @@ BarchanReliefRay ConstructBarchanReliefRay(float2 arg0, float2 arg1, float3 arg2
     return ret;
 }
 
-BarchanReliefRay barchan_relief_ray(float2 place_8, float3 towards)
+BarchanReliefRay barchan_relief_ray(float2 place_7, float3 towards_1)
 {
-    bool local_1 = (bool)0;
     bool local_2 = (bool)0;
     bool local_3 = (bool)0;
+    bool local_4 = (bool)0;
 
     float2 spacing = barchan_tables[0].spacing;
     const float _e6 = barchan_relief_thickness();
     float thickness = max(_e6, 0.0);
-    float level_1 = length(towards.xy);
-    float way = (thickness * ((abs(towards.x) * spacing.y) + (abs(towards.y) * spacing.x)));
-    if ((way <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards.z))) {
-        local_1 = (level_1 <= (BARCHAN_STEEPEST * towards.z));
-    } else {
-        local_1 = false;
-    }
-    bool is_short = local_1;
-    bool is_near = all((abs(place_8) <= (16777216.0).xx));
-    if ((towards.z > 0.0)) {
-        local_2 = is_short;
+    float level_2 = length(towards_1.xy);
+    float way = (thickness * ((abs(towards_1.x) * spacing.y) + (abs(towards_1.y) * spacing.x)));
+    if ((way <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards_1.z))) {
+        local_2 = (level_2 <= (BARCHAN_STEEPEST * towards_1.z));
     } else {
         local_2 = false;
     }
-    bool _e48 = local_2;
-    if (_e48) {
-        local_3 = is_near;
+    bool is_short = local_2;
+    bool is_near = all((abs(place_7) <= (16777216.0).xx));
+    if ((towards_1.z > 0.0)) {
+        local_3 = is_short;
     } else {
         local_3 = false;
     }
-    bool _e52 = local_3;
+    bool _e48 = local_3;
+    if (_e48) {
+        local_4 = is_near;
+    } else {
+        local_4 = false;
+    }
+    bool _e52 = local_4;
     if (!(_e52)) {
         const BarchanReliefRay barchanreliefray = ConstructBarchanReliefRay((0.0).xx, (0.0).xx, float3(0.0, 0.0, 1.0), 0.0, false);
         return barchanreliefray;
     }
-    float run = (thickness / towards.z);
-    float2 step_1 = (float2((-(run) * towards.x), (run * towards.y)) / spacing);
-    const float2 _e74 = barchan_relief_in_tile(place_8);
-    const BarchanReliefRay barchanreliefray_1 = ConstructBarchanReliefRay(_e74, step_1, towards, (level_1 / towards.z), true);
+    float run = (thickness / towards_1.z);
+    float2 step_1 = (float2((-(run) * towards_1.x), (run * towards_1.y)) / spacing);
+    const float2 _e74 = barchan_relief_in_tile(place_7);
+    const BarchanReliefRay barchanreliefray_1 = ConstructBarchanReliefRay(_e74, step_1, towards_1, (level_2 / towards_1.z), true);
     return barchanreliefray_1;
 }
 
-BarchanReliefRay barchan_relief_ray_through(float2 place_9, float depth, float3 towards_1)
+BarchanReliefRay barchan_relief_ray_through(float2 place_8, float depth, float3 towards_2)
 {
-    const BarchanReliefRay _e3 = barchan_relief_ray(place_9, towards_1);
+    const BarchanReliefRay _e3 = barchan_relief_ray(place_8, towards_2);
     if (!(_e3.is_valid)) {
         const BarchanReliefRay barchanreliefray_2 = _e3;
         return barchanreliefray_2;
     }
-    const BarchanReliefRay _e10 = barchan_relief_ray((_e3.place - (depth * _e3.step_)), towards_1);
+    const BarchanReliefRay _e10 = barchan_relief_ray((_e3.place - (depth * _e3.step_)), towards_2);
     const BarchanReliefRay barchanreliefray_3 = _e10;
     return barchanreliefray_3;
 }
@@ -482,10 +552,10 @@ float barchan_relief_twist(float4 corners)
 
 float barchan_relief_cell_gap(BarchanReliefRay ray_6, int2 cell_1, float4 corners_1, float depth_4)
 {
-    float2 place_11 = ((ray_6.place - float2(cell_1)) + (depth_4 * ray_6.step_));
-    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_11.x)) + ((corners_1.z - corners_1.x) * place_11.y));
+    float2 place_10 = ((ray_6.place - float2(cell_1)) + (depth_4 * ray_6.step_));
+    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_10.x)) + ((corners_1.z - corners_1.x) * place_10.y));
     const float _e23 = barchan_relief_twist(corners_1);
-    return ((plane + ((_e23 * place_11.x) * place_11.y)) - depth_4);
+    return ((plane + ((_e23 * place_10.x) * place_10.y)) - depth_4);
 }
 
 float barchan_relief_gap(BarchanReliefRay ray_7, float depth_5)
@@ -499,11 +569,11 @@ float barchan_relief_gap(BarchanReliefRay ray_7, float depth_5)
 
 float barchan_relief_first_zero(float g0_, float g1_, float c)
 {
-    bool local_4 = (bool)0;
     bool local_5 = (bool)0;
     bool local_6 = (bool)0;
-    float s = 1.0;
     bool local_7 = (bool)0;
+    float s = 1.0;
+    bool local_8 = (bool)0;
 
     if ((g0_ <= 0.0)) {
         return 0.0;
@@ -512,22 +582,22 @@ float barchan_relief_first_zero(float g0_, float g1_, float c)
     float discriminant = ((b * b) - ((4.0 * c) * g0_));
     if ((g1_ > 0.0)) {
         if (!((c <= 0.0))) {
-            local_5 = (b >= 0.0);
-        } else {
-            local_5 = true;
-        }
-        bool _e25 = local_5;
-        if (!(_e25)) {
-            local_6 = (discriminant < 0.0);
+            local_6 = (b >= 0.0);
         } else {
             local_6 = true;
         }
-        bool _e32 = local_6;
-        local_4 = _e32;
+        bool _e25 = local_6;
+        if (!(_e25)) {
+            local_7 = (discriminant < 0.0);
+        } else {
+            local_7 = true;
+        }
+        bool _e32 = local_7;
+        local_5 = _e32;
     } else {
-        local_4 = false;
+        local_5 = false;
     }
-    bool _e34 = local_4;
+    bool _e34 = local_5;
     if (_e34) {
         return -1.0;
     }
@@ -539,11 +609,11 @@ float barchan_relief_first_zero(float g0_, float g1_, float c)
     }
     if ((g1_ > 0.0)) {
         float _e55 = s;
-        local_7 = (_e55 > 1.0);
+        local_8 = (_e55 > 1.0);
     } else {
-        local_7 = false;
+        local_8 = false;
     }
-    bool _e59 = local_7;
+    bool _e59 = local_8;
     if (_e59) {
         return -1.0;
     }
@@ -573,17 +643,17 @@ BarchanReliefLeft ConstructBarchanReliefLeft(float arg0, float arg1, bool arg2, 
 
 BarchanReliefLeft barchan_relief_leave(BarchanReliefRay ray_9, BarchanStart start_4, float step_)
 {
-    bool local_8 = (bool)0;
+    bool local_9 = (bool)0;
     float inside = (float)0;
     int fetches = int(1);
 
     float depth_9 = ((start_4.depth > 0.0) ? min(start_4.depth, 1.0) : 0.0);
     if (!(start_4.is_proven)) {
-        local_8 = (depth_9 == 0.0);
+        local_9 = (depth_9 == 0.0);
     } else {
-        local_8 = true;
+        local_9 = true;
     }
-    bool _e18 = local_8;
+    bool _e18 = local_9;
     if (_e18) {
         const BarchanReliefLeft barchanreliefleft = ConstructBarchanReliefLeft(depth_9, depth_9, false, int(0));
         return barchanreliefleft;
@@ -645,7 +715,7 @@ BarchanStart barchan_relief_start(BarchanReliefRay ray_10)
 float barchan_relief_cone_step(BarchanReliefRay ray_11, float gap, float ratio)
 {
     float part_1 = 1.0;
-    bool local_9 = (bool)0;
+    bool local_10 = (bool)0;
 
     if ((ray_11.tangent > 0.0)) {
         part_1 = ((ratio > 0.0) ? (ratio / (ray_11.tangent + ratio)) : 0.0);
@@ -653,11 +723,11 @@ float barchan_relief_cone_step(BarchanReliefRay ray_11, float gap, float ratio)
     float _e15 = part_1;
     if ((gap > 0.0)) {
         float _e23 = part_1;
-        local_9 = (_e23 > 0.0);
+        local_10 = (_e23 > 0.0);
     } else {
-        local_9 = false;
+        local_10 = false;
     }
-    bool _e27 = local_9;
+    bool _e27 = local_10;
     return (_e27 ? min((gap * _e15), 1.0) : 0.0);
 }
 
@@ -673,11 +743,11 @@ BarchanFound barchan_relief_search(BarchanReliefRay ray_12, BarchanStart start_5
     int2 fetches_1 = (int2)0;
     float depth_6 = (float)0;
     int2 cell_3 = (int2)0;
-    bool local_10 = (bool)0;
+    bool local_11 = (bool)0;
     bool takes_sample = (bool)0;
     float ratio_1 = 0.0;
     int turn = int(0);
-    bool local_11 = (bool)0;
+    bool local_12 = (bool)0;
 
     const BarchanReliefLeft _e3 = barchan_relief_leave(ray_12, start_5, BARCHAN_STEP_BACK);
     fetches_1 = asint(asuint(start_5.fetches) + asuint(int2(_e3.fetches, int(0))));
@@ -689,11 +759,11 @@ BarchanFound barchan_relief_search(BarchanReliefRay ray_12, BarchanStart start_5
     if (!((_e15 <= 0.0))) {
         float _e21 = depth_6;
         const float _e22 = barchan_relief_way_ahead(ray_12, _e21);
-        local_10 = (_e22 >= BARCHAN_NEAR_TEXELS);
+        local_11 = (_e22 >= BARCHAN_NEAR_TEXELS);
     } else {
-        local_10 = true;
+        local_11 = true;
     }
-    bool _e26 = local_10;
+    bool _e26 = local_11;
     takes_sample = _e26;
     bool loop_init_1 = true;
     while(true) {
@@ -725,11 +795,11 @@ BarchanFound barchan_relief_search(BarchanReliefRay ray_12, BarchanStart start_5
                 float next_1 = min((_e51 + _e56), 1.0);
                 ratio_1 = _e50.y;
                 if ((next_1 > _e41.depth)) {
-                    local_11 = (_e41.depth < 1.0);
+                    local_12 = (_e41.depth < 1.0);
                 } else {
-                    local_11 = false;
+                    local_12 = false;
                 }
-                bool _e69 = local_11;
+                bool _e69 = local_12;
                 if (_e69) {
                     depth_6 = next_1;
                     const int2 _e70 = barchan_relief_cell(ray_12, next_1);
@@ -793,22 +863,22 @@ float2 barchan_probe_place(float4 position_2)
     return (_e3 + (floor(position_2.xy) * _e8));
 }
 
-bool barchan_relief_in_shadow(float2 place_10, float depth_7, float3 towards_2, float tolerance)
+bool barchan_relief_in_shadow(float2 place_9, float depth_7, float3 towards_3, float tolerance)
 {
-    bool local_12 = (bool)0;
+    bool local_13 = (bool)0;
 
-    const BarchanReliefRay _e4 = barchan_relief_ray_through(place_10, depth_7, towards_2);
+    const BarchanReliefRay _e4 = barchan_relief_ray_through(place_9, depth_7, towards_3);
     if (!(_e4.is_valid)) {
         return true;
     }
     float clear = (depth_7 - tolerance);
     const BarchanStart _e9 = barchan_relief_start(_e4);
     if (_e9.is_proven) {
-        local_12 = (_e9.depth >= clear);
+        local_13 = (_e9.depth >= clear);
     } else {
-        local_12 = false;
+        local_13 = false;
     }
-    bool _e16 = local_12;
+    bool _e16 = local_13;
     if (_e16) {
         return false;
     }

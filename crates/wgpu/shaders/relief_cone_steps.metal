@@ -31,6 +31,17 @@ struct BarchanTable {
 struct BarchanTables {
     BarchanTable inner[12];
 };
+struct BarchanTangentLight {
+    float height;
+    float level;
+    metal::float2 direction;
+    float azimuth;
+    float stretch;
+};
+struct BarchanGradients {
+    metal::float3 of_u;
+    metal::float3 of_v;
+};
 struct BarchanReliefRay {
     metal::float2 place;
     metal::float2 step;
@@ -95,7 +106,7 @@ float barchan_arcsine(
     float square = is_steep ? (0.5 * (1.0 - size)) : (size * size);
     float root = is_steep ? metal::sqrt(square) : size;
     float series = ((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root;
-    float angle_1 = is_steep ? (1.5707964 - (2.0 * series)) : series;
+    float angle_1 = is_steep ? (1.5707963 - (2.0 * series)) : series;
     return (sine < 0.0) ? -(angle_1) : angle_1;
 }
 
@@ -190,10 +201,10 @@ metal::int2 barchan_inside(
     uint first = barchan_tables.inner[table].first_level;
     metal::float2 _e10 = barchan_tables.inner[table].extent;
     metal::int2 whole = naga_f2i32(_e10);
-    metal::int2 extent = metal::max(whole >> metal::uint2(first + static_cast<uint>(level)), metal::int2(1));
+    metal::int2 extent_1 = metal::max(whole >> metal::uint2(first + static_cast<uint>(level)), metal::int2(1));
     uint edges = barchan_tables.inner[table].edges;
-    metal::int2 repeated = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(place, extent)) + as_type<metal::uint2>(extent)), extent);
-    metal::int2 clamped = metal::clamp(place, metal::int2(0), as_type<metal::int2>(as_type<metal::uint2>(extent) - as_type<metal::uint2>(metal::int2(1))));
+    metal::int2 repeated = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(place, extent_1)) + as_type<metal::uint2>(extent_1)), extent_1);
+    metal::int2 clamped = metal::clamp(place, metal::int2(0), as_type<metal::int2>(as_type<metal::uint2>(extent_1) - as_type<metal::uint2>(metal::int2(1))));
     metal::int2 _e41 = barchan_chosen(clamped, repeated, metal::bool2((edges & 1u) != 0u, (edges & 2u) != 0u));
     return _e41;
 }
@@ -303,59 +314,101 @@ float barchan_height_texel(
     return _e4;
 }
 
-float barchan_height_at(
-    metal::float2 place_3,
-    int layer_2,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d<float, metal::access::sample> barchan_height_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[0].extent;
-    metal::float2 uv = (place_3 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_height_texels.sample(barchan_sampler, uv, metal::level(0.0));
-    float stored_4 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_4, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17, barchan_tables);
-    return _e18;
-}
-
 metal::float2 barchan_cone_map_before_transfer(
-    metal::int2 place_4,
-    int layer_3,
+    metal::int2 place_3,
+    int layer_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_cone_map_texels
 ) {
-    metal::int2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_4, 0, barchan_tables);
-    metal::float4 _e7 = barchan_cone_map_texels.read(metal::uint2(_e4), layer_3);
+    metal::int2 _e4 = barchan_inside(BARCHAN_CONE_MAP, place_3, 0, barchan_tables);
+    metal::float4 _e7 = barchan_cone_map_texels.read(metal::uint2(_e4), layer_2);
     metal::float2 _e9 = barchan_scaled_cone(BARCHAN_CONE_MAP, _e7.xy, barchan_tables);
     return _e9;
 }
 
 metal::float2 barchan_cone_map_texel(
-    metal::int2 place_5,
-    int layer_4,
+    metal::int2 place_4,
+    int layer_3,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_cone_map_texels
 ) {
-    metal::float2 _e3 = barchan_cone_map_before_transfer(place_5, layer_4, barchan_tables, barchan_cone_map_texels);
+    metal::float2 _e3 = barchan_cone_map_before_transfer(place_4, layer_3, barchan_tables, barchan_cone_map_texels);
     metal::float2 _e4 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e3, barchan_tables);
     return _e4;
 }
 
 metal::float2 barchan_cone_map_at(
-    metal::float2 place_6,
-    int layer_5,
+    metal::float2 place_5,
+    int layer_4,
     constant BarchanTables& barchan_tables,
     metal::sampler barchan_sampler,
     metal::texture2d<float, metal::access::sample> barchan_cone_map_texels
 ) {
     metal::float2 _e8 = barchan_tables.inner[9].extent;
-    metal::float2 uv_1 = (place_6 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_cone_map_texels.sample(barchan_sampler, uv_1, metal::level(0.0));
-    metal::float2 stored_5 = _e13.xy;
-    metal::float2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_5, barchan_tables);
+    metal::float2 uv = (place_5 + metal::float2(0.5)) / _e8;
+    metal::float4 _e13 = barchan_cone_map_texels.sample(barchan_sampler, uv, metal::level(0.0));
+    metal::float2 stored_4 = _e13.xy;
+    metal::float2 _e17 = barchan_scaled_cone(BARCHAN_CONE_MAP, stored_4, barchan_tables);
     metal::float2 _e18 = barchan_transferred_cone(BARCHAN_CONE_MAP, _e17, barchan_tables);
     return _e18;
+}
+
+BarchanGradients barchan_gradients(
+    metal::float3 along_u,
+    metal::float3 along_v
+) {
+    metal::float3 area = metal::cross(along_u, along_v);
+    float area_squared = metal::dot(area, area);
+    if (!((area_squared > 0.0))) {
+        return BarchanGradients {metal::float3(0.0), metal::float3(0.0)};
+    }
+    return BarchanGradients {metal::cross(along_v, area) / metal::float3(area_squared), metal::cross(area, along_u) / metal::float3(area_squared)};
+}
+
+metal::float2 barchan_texture_step(
+    metal::float3 along_u_1,
+    metal::float3 along_v_1,
+    metal::float3 vector
+) {
+    BarchanGradients _e3 = barchan_gradients(along_u_1, along_v_1);
+    return metal::float2(metal::dot(vector, _e3.of_u), metal::dot(vector, _e3.of_v));
+}
+
+metal::float3 barchan_bump_normal(
+    metal::float3 along_u_2,
+    metal::float3 along_v_2,
+    metal::float3 normal,
+    metal::float2 per_uv
+) {
+    BarchanGradients _e4 = barchan_gradients(along_u_2, along_v_2);
+    return metal::normalize((normal - (per_uv.x * _e4.of_u)) - (per_uv.y * _e4.of_v));
+}
+
+BarchanTangentLight barchan_tangent_light(
+    metal::float3 along_u_3,
+    metal::float3 along_v_3,
+    metal::float3 normal_1,
+    metal::float3 towards,
+    metal::float2 extent
+) {
+    bool local_1 = {};
+    float height_1 = metal::dot(towards, normal_1);
+    metal::float3 tangent_1 = towards - (normal_1 * height_1);
+    float level_1 = metal::length(tangent_1);
+    metal::float2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_1);
+    metal::float2 on_grid = _e9 * extent;
+    float grid_length = metal::length(on_grid);
+    if (level_1 > 0.0) {
+        local_1 = grid_length > 0.0;
+    } else {
+        local_1 = false;
+    }
+    bool _e19 = local_1;
+    if (!(_e19)) {
+        return BarchanTangentLight {height_1, level_1, _e9, 0.0, 1.0};
+    }
+    float _e24 = barchan_azimuth(on_grid);
+    return BarchanTangentLight {height_1, level_1, _e9, _e24, level_1 / grid_length};
 }
 
 float barchan_relief_thickness(
@@ -387,68 +440,68 @@ float barchan_relief_depth(
 }
 
 metal::float2 barchan_relief_in_tile(
-    metal::float2 place_7,
+    metal::float2 place_6,
     constant BarchanTables& barchan_tables
 ) {
-    metal::float2 extent_1 = barchan_tables.inner[0].extent;
+    metal::float2 extent_2 = barchan_tables.inner[0].extent;
     uint edges_1 = barchan_tables.inner[0].edges;
     metal::bool2 repeats = metal::bool2((edges_1 & 1u) != 0u, (edges_1 & 2u) != 0u);
-    metal::float2 rest_1 = place_7 - (metal::floor(place_7 / extent_1) * extent_1);
-    return metal::select(place_7, metal::select(rest_1, rest_1 + extent_1, rest_1 < metal::float2(0.0)), repeats);
+    metal::float2 rest_1 = place_6 - (metal::floor(place_6 / extent_2) * extent_2);
+    return metal::select(place_6, metal::select(rest_1, rest_1 + extent_2, rest_1 < metal::float2(0.0)), repeats);
 }
 
 BarchanReliefRay barchan_relief_ray(
-    metal::float2 place_8,
-    metal::float3 towards,
-    constant BarchanTables& barchan_tables
-) {
-    bool local_1 = {};
-    bool local_2 = {};
-    bool local_3 = {};
-    metal::float2 spacing = barchan_tables.inner[0].spacing;
-    float _e6 = barchan_relief_thickness(barchan_tables);
-    float thickness = metal::max(_e6, 0.0);
-    float level_1 = metal::length(towards.xy);
-    float way = thickness * ((metal::abs(towards.x) * spacing.y) + (metal::abs(towards.y) * spacing.x));
-    if (way <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards.z)) {
-        local_1 = level_1 <= (BARCHAN_STEEPEST * towards.z);
-    } else {
-        local_1 = false;
-    }
-    bool is_short = local_1;
-    bool is_near = metal::all(metal::abs(place_8) <= metal::float2(16777216.0));
-    if (towards.z > 0.0) {
-        local_2 = is_short;
-    } else {
-        local_2 = false;
-    }
-    bool _e48 = local_2;
-    if (_e48) {
-        local_3 = is_near;
-    } else {
-        local_3 = false;
-    }
-    bool _e52 = local_3;
-    if (!(_e52)) {
-        return BarchanReliefRay {metal::float2(0.0), metal::float2(0.0), metal::float3(0.0, 0.0, 1.0), 0.0, false};
-    }
-    float run = thickness / towards.z;
-    metal::float2 step_1 = metal::float2(-(run) * towards.x, run * towards.y) / spacing;
-    metal::float2 _e74 = barchan_relief_in_tile(place_8, barchan_tables);
-    return BarchanReliefRay {_e74, step_1, towards, level_1 / towards.z, true};
-}
-
-BarchanReliefRay barchan_relief_ray_through(
-    metal::float2 place_9,
-    float depth,
+    metal::float2 place_7,
     metal::float3 towards_1,
     constant BarchanTables& barchan_tables
 ) {
-    BarchanReliefRay _e3 = barchan_relief_ray(place_9, towards_1, barchan_tables);
+    bool local_2 = {};
+    bool local_3 = {};
+    bool local_4 = {};
+    metal::float2 spacing = barchan_tables.inner[0].spacing;
+    float _e6 = barchan_relief_thickness(barchan_tables);
+    float thickness = metal::max(_e6, 0.0);
+    float level_2 = metal::length(towards_1.xy);
+    float way = thickness * ((metal::abs(towards_1.x) * spacing.y) + (metal::abs(towards_1.y) * spacing.x));
+    if (way <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards_1.z)) {
+        local_2 = level_2 <= (BARCHAN_STEEPEST * towards_1.z);
+    } else {
+        local_2 = false;
+    }
+    bool is_short = local_2;
+    bool is_near = metal::all(metal::abs(place_7) <= metal::float2(16777216.0));
+    if (towards_1.z > 0.0) {
+        local_3 = is_short;
+    } else {
+        local_3 = false;
+    }
+    bool _e48 = local_3;
+    if (_e48) {
+        local_4 = is_near;
+    } else {
+        local_4 = false;
+    }
+    bool _e52 = local_4;
+    if (!(_e52)) {
+        return BarchanReliefRay {metal::float2(0.0), metal::float2(0.0), metal::float3(0.0, 0.0, 1.0), 0.0, false};
+    }
+    float run = thickness / towards_1.z;
+    metal::float2 step_1 = metal::float2(-(run) * towards_1.x, run * towards_1.y) / spacing;
+    metal::float2 _e74 = barchan_relief_in_tile(place_7, barchan_tables);
+    return BarchanReliefRay {_e74, step_1, towards_1, level_2 / towards_1.z, true};
+}
+
+BarchanReliefRay barchan_relief_ray_through(
+    metal::float2 place_8,
+    float depth,
+    metal::float3 towards_2,
+    constant BarchanTables& barchan_tables
+) {
+    BarchanReliefRay _e3 = barchan_relief_ray(place_8, towards_2, barchan_tables);
     if (!(_e3.is_valid)) {
         return _e3;
     }
-    BarchanReliefRay _e10 = barchan_relief_ray(_e3.place - (depth * _e3.step), towards_1, barchan_tables);
+    BarchanReliefRay _e10 = barchan_relief_ray(_e3.place - (depth * _e3.step), towards_2, barchan_tables);
     return _e10;
 }
 
@@ -540,10 +593,10 @@ float barchan_relief_cell_gap(
     metal::float4 corners_1,
     float depth_4
 ) {
-    metal::float2 place_11 = (ray_6.place - static_cast<metal::float2>(cell_1)) + (depth_4 * ray_6.step);
-    float plane = (corners_1.x + ((corners_1.y - corners_1.x) * place_11.x)) + ((corners_1.z - corners_1.x) * place_11.y);
+    metal::float2 place_10 = (ray_6.place - static_cast<metal::float2>(cell_1)) + (depth_4 * ray_6.step);
+    float plane = (corners_1.x + ((corners_1.y - corners_1.x) * place_10.x)) + ((corners_1.z - corners_1.x) * place_10.y);
     float _e23 = barchan_relief_twist(corners_1);
-    return (plane + ((_e23 * place_11.x) * place_11.y)) - depth_4;
+    return (plane + ((_e23 * place_10.x) * place_10.y)) - depth_4;
 }
 
 float barchan_relief_gap(
@@ -564,11 +617,11 @@ float barchan_relief_first_zero(
     float g1_,
     float c
 ) {
-    bool local_4 = {};
     bool local_5 = {};
     bool local_6 = {};
-    float s = 1.0;
     bool local_7 = {};
+    float s = 1.0;
+    bool local_8 = {};
     if (g0_ <= 0.0) {
         return 0.0;
     }
@@ -576,22 +629,22 @@ float barchan_relief_first_zero(
     float discriminant = (b * b) - ((4.0 * c) * g0_);
     if (g1_ > 0.0) {
         if (!((c <= 0.0))) {
-            local_5 = b >= 0.0;
-        } else {
-            local_5 = true;
-        }
-        bool _e25 = local_5;
-        if (!(_e25)) {
-            local_6 = discriminant < 0.0;
+            local_6 = b >= 0.0;
         } else {
             local_6 = true;
         }
-        bool _e32 = local_6;
-        local_4 = _e32;
+        bool _e25 = local_6;
+        if (!(_e25)) {
+            local_7 = discriminant < 0.0;
+        } else {
+            local_7 = true;
+        }
+        bool _e32 = local_7;
+        local_5 = _e32;
     } else {
-        local_4 = false;
+        local_5 = false;
     }
-    bool _e34 = local_4;
+    bool _e34 = local_5;
     if (_e34) {
         return -1.0;
     }
@@ -603,11 +656,11 @@ float barchan_relief_first_zero(
     }
     if (g1_ > 0.0) {
         float _e55 = s;
-        local_7 = _e55 > 1.0;
+        local_8 = _e55 > 1.0;
     } else {
-        local_7 = false;
+        local_8 = false;
     }
-    bool _e59 = local_7;
+    bool _e59 = local_8;
     if (_e59) {
         return -1.0;
     }
@@ -638,16 +691,16 @@ BarchanReliefLeft barchan_relief_leave(
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_height_texels
 ) {
-    bool local_8 = {};
+    bool local_9 = {};
     float inside = {};
     int fetches = 1;
     float depth_9 = (start_4.depth > 0.0) ? metal::min(start_4.depth, 1.0) : 0.0;
     if (!(start_4.is_proven)) {
-        local_8 = depth_9 == 0.0;
+        local_9 = depth_9 == 0.0;
     } else {
-        local_8 = true;
+        local_9 = true;
     }
-    bool _e18 = local_8;
+    bool _e18 = local_9;
     if (_e18) {
         return BarchanReliefLeft {depth_9, depth_9, false, {}, 0};
     }
@@ -700,18 +753,18 @@ float barchan_relief_cone_step(
     float ratio
 ) {
     float part_1 = 1.0;
-    bool local_9 = {};
+    bool local_10 = {};
     if (ray_11.tangent > 0.0) {
         part_1 = (ratio > 0.0) ? (ratio / (ray_11.tangent + ratio)) : 0.0;
     }
     float _e15 = part_1;
     if (gap > 0.0) {
         float _e23 = part_1;
-        local_9 = _e23 > 0.0;
+        local_10 = _e23 > 0.0;
     } else {
-        local_9 = false;
+        local_10 = false;
     }
-    bool _e27 = local_9;
+    bool _e27 = local_10;
     return _e27 ? metal::min(gap * _e15, 1.0) : 0.0;
 }
 
@@ -726,11 +779,11 @@ BarchanFound barchan_relief_search(
     metal::int2 fetches_1 = {};
     float depth_6 = {};
     metal::int2 cell_3 = {};
-    bool local_10 = {};
+    bool local_11 = {};
     bool takes_sample = {};
     float ratio_1 = 0.0;
     int turn = 0;
-    bool local_11 = {};
+    bool local_12 = {};
     BarchanReliefLeft _e3 = barchan_relief_leave(ray_12, start_5, BARCHAN_STEP_BACK, barchan_tables, barchan_height_texels);
     fetches_1 = as_type<metal::int2>(as_type<metal::uint2>(start_5.fetches) + as_type<metal::uint2>(metal::int2(_e3.fetches, 0)));
     depth_6 = _e3.outside;
@@ -741,11 +794,11 @@ BarchanFound barchan_relief_search(
     if (!((_e15 <= 0.0))) {
         float _e21 = depth_6;
         float _e22 = barchan_relief_way_ahead(ray_12, _e21);
-        local_10 = _e22 >= BARCHAN_NEAR_TEXELS;
+        local_11 = _e22 >= BARCHAN_NEAR_TEXELS;
     } else {
-        local_10 = true;
+        local_11 = true;
     }
-    bool _e26 = local_10;
+    bool _e26 = local_11;
     takes_sample = _e26;
     bool loop_init_1 = true;
     while(true) {
@@ -777,11 +830,11 @@ BarchanFound barchan_relief_search(
                 float next_1 = metal::min(_e51 + _e56, 1.0);
                 ratio_1 = _e50.y;
                 if (next_1 > _e41.depth) {
-                    local_11 = _e41.depth < 1.0;
+                    local_12 = _e41.depth < 1.0;
                 } else {
-                    local_11 = false;
+                    local_12 = false;
                 }
-                bool _e69 = local_11;
+                bool _e69 = local_12;
                 if (_e69) {
                     depth_6 = next_1;
                     metal::int2 _e70 = barchan_relief_cell(ray_12, next_1);
@@ -848,28 +901,28 @@ metal::float2 barchan_probe_place(
 }
 
 bool barchan_relief_in_shadow(
-    metal::float2 place_10,
+    metal::float2 place_9,
     float depth_7,
-    metal::float3 towards_2,
+    metal::float3 towards_3,
     float tolerance,
     constant BarchanTables& barchan_tables,
     metal::sampler barchan_sampler,
     metal::texture2d<float, metal::access::sample> barchan_height_texels,
     metal::texture2d<float, metal::access::sample> barchan_cone_map_texels
 ) {
-    bool local_12 = {};
-    BarchanReliefRay _e4 = barchan_relief_ray_through(place_10, depth_7, towards_2, barchan_tables);
+    bool local_13 = {};
+    BarchanReliefRay _e4 = barchan_relief_ray_through(place_9, depth_7, towards_3, barchan_tables);
     if (!(_e4.is_valid)) {
         return true;
     }
     float clear = depth_7 - tolerance;
     BarchanStart _e9 = barchan_relief_start(_e4);
     if (_e9.is_proven) {
-        local_12 = _e9.depth >= clear;
+        local_13 = _e9.depth >= clear;
     } else {
-        local_12 = false;
+        local_13 = false;
     }
-    bool _e16 = local_12;
+    bool _e16 = local_13;
     if (_e16) {
         return false;
     }

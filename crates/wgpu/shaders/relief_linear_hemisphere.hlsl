@@ -23,6 +23,21 @@ struct BarchanTable {
     float greatest;
 };
 
+struct BarchanTangentLight {
+    float height;
+    float level;
+    float2 direction;
+    float azimuth;
+    float stretch;
+};
+
+struct BarchanGradients {
+    float3 of_u;
+    int _pad1_0;
+    float3 of_v;
+    int _end_pad_0;
+};
+
 struct BarchanReliefRay {
     float2 place;
     float2 step_;
@@ -108,7 +123,7 @@ float barchan_arcsine(float sine)
     float square = (is_steep ? (0.5 * (1.0 - size)) : (size * size));
     float root = (is_steep ? sqrt(square) : size);
     float series = (((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root);
-    float angle_1 = (is_steep ? (1.5707964 - (2.0 * series)) : series);
+    float angle_1 = (is_steep ? (1.5707963 - (2.0 * series)) : series);
     return ((sine < 0.0) ? -(angle_1) : angle_1);
 }
 
@@ -195,10 +210,10 @@ int2 barchan_inside(uint table, int2 place, int level)
     uint first = barchan_tables[table].first_level;
     float2 _e10 = barchan_tables[table].extent;
     int2 whole = naga_f2i32(_e10);
-    int2 extent = max((whole >> ((first + uint(level))).xx), (int(1)).xx);
+    int2 extent_1 = max((whole >> ((first + uint(level))).xx), (int(1)).xx);
     uint edges = barchan_tables[table].edges;
-    int2 repeated = naga_mod(asint(asuint(naga_mod(place, extent)) + asuint(extent)), extent);
-    int2 clamped = clamp(place, (int(0)).xx, asint(asuint(extent) - asuint((int(1)).xx)));
+    int2 repeated = naga_mod(asint(asuint(naga_mod(place, extent_1)) + asuint(extent_1)), extent_1);
+    int2 clamped = clamp(place, (int(0)).xx, asint(asuint(extent_1) - asuint((int(1)).xx)));
     const int2 _e41 = barchan_chosen(clamped, repeated, bool2(((edges & 1u) != 0u), ((edges & 2u) != 0u)));
     return _e41;
 }
@@ -304,6 +319,72 @@ float barchan_hemisphere_texel(int2 place_5, int layer_4)
     return _e4;
 }
 
+BarchanGradients ConstructBarchanGradients(float3 arg0, float3 arg1) {
+    BarchanGradients ret = (BarchanGradients)0;
+    ret.of_u = arg0;
+    ret.of_v = arg1;
+    return ret;
+}
+
+BarchanGradients barchan_gradients(float3 along_u, float3 along_v)
+{
+    float3 area = cross(along_u, along_v);
+    float area_squared = dot(area, area);
+    if (!((area_squared > 0.0))) {
+        const BarchanGradients barchangradients = ConstructBarchanGradients((0.0).xxx, (0.0).xxx);
+        return barchangradients;
+    }
+    const BarchanGradients barchangradients_1 = ConstructBarchanGradients((cross(along_v, area) / (area_squared).xxx), (cross(area, along_u) / (area_squared).xxx));
+    return barchangradients_1;
+}
+
+float2 barchan_texture_step(float3 along_u_1, float3 along_v_1, float3 vector_)
+{
+    const BarchanGradients _e3 = barchan_gradients(along_u_1, along_v_1);
+    return float2(dot(vector_, _e3.of_u), dot(vector_, _e3.of_v));
+}
+
+float3 barchan_bump_normal(float3 along_u_2, float3 along_v_2, float3 normal, float2 per_uv)
+{
+    const BarchanGradients _e4 = barchan_gradients(along_u_2, along_v_2);
+    return normalize(((normal - (per_uv.x * _e4.of_u)) - (per_uv.y * _e4.of_v)));
+}
+
+BarchanTangentLight ConstructBarchanTangentLight(float arg0, float arg1, float2 arg2, float arg3, float arg4) {
+    BarchanTangentLight ret = (BarchanTangentLight)0;
+    ret.height = arg0;
+    ret.level = arg1;
+    ret.direction = arg2;
+    ret.azimuth = arg3;
+    ret.stretch = arg4;
+    return ret;
+}
+
+BarchanTangentLight barchan_tangent_light(float3 along_u_3, float3 along_v_3, float3 normal_1, float3 towards, float2 extent)
+{
+    bool local_1 = (bool)0;
+
+    float height_1 = dot(towards, normal_1);
+    float3 tangent_2 = (towards - (normal_1 * height_1));
+    float level_1 = length(tangent_2);
+    const float2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_2);
+    float2 on_grid = (_e9 * extent);
+    float grid_length = length(on_grid);
+    if ((level_1 > 0.0)) {
+        local_1 = (grid_length > 0.0);
+    } else {
+        local_1 = false;
+    }
+    bool _e19 = local_1;
+    if (!(_e19)) {
+        const BarchanTangentLight barchantangentlight = ConstructBarchanTangentLight(height_1, level_1, _e9, 0.0, 1.0);
+        return barchantangentlight;
+    }
+    const float _e24 = barchan_azimuth(on_grid);
+    const BarchanTangentLight barchantangentlight_1 = ConstructBarchanTangentLight(height_1, level_1, _e9, _e24, (level_1 / grid_length));
+    return barchantangentlight_1;
+}
+
 float barchan_relief_thickness()
 {
     float _e3 = barchan_tables[0].greatest;
@@ -329,11 +410,11 @@ float barchan_relief_depth(float height)
 
 float2 barchan_relief_in_tile(float2 place_6)
 {
-    float2 extent_1 = barchan_tables[0].extent;
+    float2 extent_2 = barchan_tables[0].extent;
     uint edges_1 = barchan_tables[0].edges;
     bool2 repeats = bool2(((edges_1 & 1u) != 0u), ((edges_1 & 2u) != 0u));
-    float2 rest_1 = (place_6 - (floor((place_6 / extent_1)) * extent_1));
-    return (repeats ? ((rest_1 < (0.0).xx) ? (rest_1 + extent_1) : rest_1) : place_6);
+    float2 rest_1 = (place_6 - (floor((place_6 / extent_2)) * extent_2));
+    return (repeats ? ((rest_1 < (0.0).xx) ? (rest_1 + extent_2) : rest_1) : place_6);
 }
 
 BarchanReliefRay ConstructBarchanReliefRay(float2 arg0, float2 arg1, float3 arg2, float arg3, bool arg4) {
@@ -346,55 +427,55 @@ BarchanReliefRay ConstructBarchanReliefRay(float2 arg0, float2 arg1, float3 arg2
     return ret;
 }
 
-BarchanReliefRay barchan_relief_ray(float2 place_7, float3 towards)
+BarchanReliefRay barchan_relief_ray(float2 place_7, float3 towards_1)
 {
-    bool local_1 = (bool)0;
     bool local_2 = (bool)0;
     bool local_3 = (bool)0;
+    bool local_4 = (bool)0;
 
     float2 spacing = barchan_tables[0].spacing;
     const float _e6 = barchan_relief_thickness();
     float thickness = max(_e6, 0.0);
-    float level_1 = length(towards.xy);
-    float way = (thickness * ((abs(towards.x) * spacing.y) + (abs(towards.y) * spacing.x)));
-    if ((way <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards.z))) {
-        local_1 = (level_1 <= (BARCHAN_STEEPEST * towards.z));
-    } else {
-        local_1 = false;
-    }
-    bool is_short = local_1;
-    bool is_near = all((abs(place_7) <= (16777216.0).xx));
-    if ((towards.z > 0.0)) {
-        local_2 = is_short;
+    float level_2 = length(towards_1.xy);
+    float way = (thickness * ((abs(towards_1.x) * spacing.y) + (abs(towards_1.y) * spacing.x)));
+    if ((way <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards_1.z))) {
+        local_2 = (level_2 <= (BARCHAN_STEEPEST * towards_1.z));
     } else {
         local_2 = false;
     }
-    bool _e48 = local_2;
-    if (_e48) {
-        local_3 = is_near;
+    bool is_short = local_2;
+    bool is_near = all((abs(place_7) <= (16777216.0).xx));
+    if ((towards_1.z > 0.0)) {
+        local_3 = is_short;
     } else {
         local_3 = false;
     }
-    bool _e52 = local_3;
+    bool _e48 = local_3;
+    if (_e48) {
+        local_4 = is_near;
+    } else {
+        local_4 = false;
+    }
+    bool _e52 = local_4;
     if (!(_e52)) {
         const BarchanReliefRay barchanreliefray = ConstructBarchanReliefRay((0.0).xx, (0.0).xx, float3(0.0, 0.0, 1.0), 0.0, false);
         return barchanreliefray;
     }
-    float run = (thickness / towards.z);
-    float2 step_1 = (float2((-(run) * towards.x), (run * towards.y)) / spacing);
+    float run = (thickness / towards_1.z);
+    float2 step_1 = (float2((-(run) * towards_1.x), (run * towards_1.y)) / spacing);
     const float2 _e74 = barchan_relief_in_tile(place_7);
-    const BarchanReliefRay barchanreliefray_1 = ConstructBarchanReliefRay(_e74, step_1, towards, (level_1 / towards.z), true);
+    const BarchanReliefRay barchanreliefray_1 = ConstructBarchanReliefRay(_e74, step_1, towards_1, (level_2 / towards_1.z), true);
     return barchanreliefray_1;
 }
 
-BarchanReliefRay barchan_relief_ray_through(float2 place_8, float depth, float3 towards_1)
+BarchanReliefRay barchan_relief_ray_through(float2 place_8, float depth, float3 towards_2)
 {
-    const BarchanReliefRay _e3 = barchan_relief_ray(place_8, towards_1);
+    const BarchanReliefRay _e3 = barchan_relief_ray(place_8, towards_2);
     if (!(_e3.is_valid)) {
         const BarchanReliefRay barchanreliefray_2 = _e3;
         return barchanreliefray_2;
     }
-    const BarchanReliefRay _e10 = barchan_relief_ray((_e3.place - (depth * _e3.step_)), towards_1);
+    const BarchanReliefRay _e10 = barchan_relief_ray((_e3.place - (depth * _e3.step_)), towards_2);
     const BarchanReliefRay barchanreliefray_3 = _e10;
     return barchanreliefray_3;
 }
@@ -490,11 +571,11 @@ float barchan_relief_gap(BarchanReliefRay ray_7, float depth_5)
 
 float barchan_relief_first_zero(float g0_, float g1_, float c)
 {
-    bool local_4 = (bool)0;
     bool local_5 = (bool)0;
     bool local_6 = (bool)0;
-    float s = 1.0;
     bool local_7 = (bool)0;
+    float s = 1.0;
+    bool local_8 = (bool)0;
 
     if ((g0_ <= 0.0)) {
         return 0.0;
@@ -503,22 +584,22 @@ float barchan_relief_first_zero(float g0_, float g1_, float c)
     float discriminant = ((b * b) - ((4.0 * c) * g0_));
     if ((g1_ > 0.0)) {
         if (!((c <= 0.0))) {
-            local_5 = (b >= 0.0);
-        } else {
-            local_5 = true;
-        }
-        bool _e25 = local_5;
-        if (!(_e25)) {
-            local_6 = (discriminant < 0.0);
+            local_6 = (b >= 0.0);
         } else {
             local_6 = true;
         }
-        bool _e32 = local_6;
-        local_4 = _e32;
+        bool _e25 = local_6;
+        if (!(_e25)) {
+            local_7 = (discriminant < 0.0);
+        } else {
+            local_7 = true;
+        }
+        bool _e32 = local_7;
+        local_5 = _e32;
     } else {
-        local_4 = false;
+        local_5 = false;
     }
-    bool _e34 = local_4;
+    bool _e34 = local_5;
     if (_e34) {
         return -1.0;
     }
@@ -530,11 +611,11 @@ float barchan_relief_first_zero(float g0_, float g1_, float c)
     }
     if ((g1_ > 0.0)) {
         float _e55 = s;
-        local_7 = (_e55 > 1.0);
+        local_8 = (_e55 > 1.0);
     } else {
-        local_7 = false;
+        local_8 = false;
     }
-    bool _e59 = local_7;
+    bool _e59 = local_8;
     if (_e59) {
         return -1.0;
     }
@@ -564,17 +645,17 @@ BarchanReliefLeft ConstructBarchanReliefLeft(float arg0, float arg1, bool arg2, 
 
 BarchanReliefLeft barchan_relief_leave(BarchanReliefRay ray_9, BarchanStart start_4, float step_)
 {
-    bool local_8 = (bool)0;
+    bool local_9 = (bool)0;
     float inside = (float)0;
     int fetches = int(1);
 
     float depth_9 = ((start_4.depth > 0.0) ? min(start_4.depth, 1.0) : 0.0);
     if (!(start_4.is_proven)) {
-        local_8 = (depth_9 == 0.0);
+        local_9 = (depth_9 == 0.0);
     } else {
-        local_8 = true;
+        local_9 = true;
     }
-    bool _e18 = local_8;
+    bool _e18 = local_9;
     if (_e18) {
         const BarchanReliefLeft barchanreliefleft = ConstructBarchanReliefLeft(depth_9, depth_9, false, int(0));
         return barchanreliefleft;
@@ -621,18 +702,18 @@ BarchanReliefLeft barchan_relief_leave(BarchanReliefRay ray_9, BarchanStart star
 
 int barchan_relief_ring(float tangent_1)
 {
-    bool local_9 = (bool)0;
+    bool local_10 = (bool)0;
     float part_1 = (float)0;
 
     uint _e4 = barchan_tables[8].rings;
     float rings = float(_e4);
     float greatest = barchan_tables[8].max_tangent;
     if ((tangent_1 >= 0.0)) {
-        local_9 = (tangent_1 < greatest);
+        local_10 = (tangent_1 < greatest);
     } else {
-        local_9 = false;
+        local_10 = false;
     }
-    bool _e16 = local_9;
+    bool _e16 = local_10;
     if (!(_e16)) {
         return int(-1);
     }
@@ -654,8 +735,8 @@ int naga_mod(int lhs, int rhs) {
 
 int barchan_relief_azimuth_cell(float azimuth)
 {
-    bool local_10 = (bool)0;
     bool local_11 = (bool)0;
+    bool local_12 = (bool)0;
 
     uint _e4 = barchan_tables[8].azimuths;
     int count = int(_e4);
@@ -667,16 +748,16 @@ int barchan_relief_azimuth_cell(float azimuth)
     if ((step_2 > 0.0)) {
         uint _e32 = barchan_tables[8].is_circle;
         if (!((_e32 != 0u))) {
-            local_11 = (offset < span);
+            local_12 = (offset < span);
         } else {
-            local_11 = true;
+            local_12 = true;
         }
-        bool _e40 = local_11;
-        local_10 = _e40;
+        bool _e40 = local_12;
+        local_11 = _e40;
     } else {
-        local_10 = false;
+        local_11 = false;
     }
-    bool _e42 = local_10;
+    bool _e42 = local_11;
     if (_e42) {
         return naga_mod(naga_f2i32(((offset / step_2) + 0.5)), max(count, int(1)));
     }
@@ -730,25 +811,25 @@ BarchanStart ConstructBarchanStart(float arg0, bool arg1, int2 arg2) {
 
 BarchanStart barchan_relief_start(BarchanReliefRay ray_11)
 {
-    bool local_12 = (bool)0;
     bool local_13 = (bool)0;
+    bool local_14 = (bool)0;
 
     BarchanStart top = ConstructBarchanStart(0.0, true, (int(0)).xx);
     const int2 _e6 = barchan_relief_direction_cell(ray_11);
     const float2 _e11 = barchan_relief_in_tile((ray_11.place + (0.5).xx));
     float2 size_3 = barchan_tables[0].extent;
     if (!(any((_e6 < (int(0)).xx)))) {
-        local_12 = any((_e11 < (0.0).xx));
-    } else {
-        local_12 = true;
-    }
-    bool _e28 = local_12;
-    if (!(_e28)) {
-        local_13 = any((_e11 > size_3));
+        local_13 = any((_e11 < (0.0).xx));
     } else {
         local_13 = true;
     }
-    bool _e35 = local_13;
+    bool _e28 = local_13;
+    if (!(_e28)) {
+        local_14 = any((_e11 > size_3));
+    } else {
+        local_14 = true;
+    }
+    bool _e35 = local_14;
     if (_e35) {
         const BarchanStart barchanstart = top;
         return barchanstart;
@@ -763,11 +844,11 @@ BarchanStart barchan_relief_start(BarchanReliefRay ray_11)
         const BarchanStart barchanstart_1 = ConstructBarchanStart(_e57, true, int2(int(0), int(1)));
         return barchanstart_1;
     }
-    float2 level_2 = (ray_11.towards.xy / (ray_11.towards.z).xx);
+    float2 level_3 = (ray_11.towards.xy / (ray_11.towards.z).xx);
     const float _e76 = barchan_relief_ring_edge(_e6.x);
     const float2 _e78 = barchan_relief_azimuth_direction(_e6.y);
-    float stored_5 = (_e76 * dot(_e78, level_2));
-    const BarchanStart barchanstart_2 = ConstructBarchanStart(clamp(((_e57 * (1.0 + stored_5)) / (1.0 + dot(level_2, level_2))), 0.0, 1.0), false, int2(int(0), int(1)));
+    float stored_5 = (_e76 * dot(_e78, level_3));
+    const BarchanStart barchanstart_2 = ConstructBarchanStart(clamp(((_e57 * (1.0 + stored_5)) / (1.0 + dot(level_3, level_3))), 0.0, 1.0), false, int2(int(0), int(1)));
     return barchanstart_2;
 }
 
@@ -892,22 +973,22 @@ float2 barchan_probe_place(float4 position_2)
     return (_e3 + (floor(position_2.xy) * _e8));
 }
 
-bool barchan_relief_in_shadow(float2 place_9, float depth_7, float3 towards_2, float tolerance)
+bool barchan_relief_in_shadow(float2 place_9, float depth_7, float3 towards_3, float tolerance)
 {
-    bool local_14 = (bool)0;
+    bool local_15 = (bool)0;
 
-    const BarchanReliefRay _e4 = barchan_relief_ray_through(place_9, depth_7, towards_2);
+    const BarchanReliefRay _e4 = barchan_relief_ray_through(place_9, depth_7, towards_3);
     if (!(_e4.is_valid)) {
         return true;
     }
     float clear = (depth_7 - tolerance);
     const BarchanStart _e9 = barchan_relief_start(_e4);
     if (_e9.is_proven) {
-        local_14 = (_e9.depth >= clear);
+        local_15 = (_e9.depth >= clear);
     } else {
-        local_14 = false;
+        local_15 = false;
     }
-    bool _e16 = local_14;
+    bool _e16 = local_15;
     if (_e16) {
         return false;
     }

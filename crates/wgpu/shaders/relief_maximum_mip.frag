@@ -27,6 +27,17 @@ struct BarchanTable {
     float least;
     float greatest;
 };
+struct BarchanTangentLight {
+    float height;
+    float level;
+    vec2 direction;
+    float azimuth;
+    float stretch;
+};
+struct BarchanGradients {
+    vec3 of_u;
+    vec3 of_v;
+};
 struct BarchanReliefRay {
     vec2 place;
     vec2 step_;
@@ -100,7 +111,7 @@ float barchan_arcsine(float sine) {
     float square = (is_steep ? (0.5 * (1.0 - size_1)) : (size_1 * size_1));
     float root = (is_steep ? sqrt(square) : size_1);
     float series = (((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root);
-    float angle_1 = (is_steep ? (1.5707964 - (2.0 * series)) : series);
+    float angle_1 = (is_steep ? (1.5707963 - (2.0 * series)) : series);
     return ((sine < 0.0) ? -(angle_1) : angle_1);
 }
 
@@ -167,10 +178,10 @@ ivec2 barchan_inside(uint table, ivec2 place, int level) {
     uint first = _group_0_binding_0_fs[table].first_level;
     vec2 _e10 = _group_0_binding_0_fs[table].extent;
     ivec2 whole = ivec2(_e10);
-    ivec2 extent = max((whole >> uvec2((first + uint(level)))), ivec2(1));
+    ivec2 extent_1 = max((whole >> uvec2((first + uint(level)))), ivec2(1));
     uint edges = _group_0_binding_0_fs[table].edges;
-    ivec2 repeated = (((place % extent) + extent) % extent);
-    ivec2 clamped = min(max(place, ivec2(0)), (extent - ivec2(1)));
+    ivec2 repeated = (((place % extent_1) + extent_1) % extent_1);
+    ivec2 clamped = min(max(place, ivec2(0)), (extent_1 - ivec2(1)));
     ivec2 _e41 = barchan_chosen(clamped, repeated, bvec2(((edges & 1u) != 0u), ((edges & 2u) != 0u)));
     return _e41;
 }
@@ -240,17 +251,57 @@ float barchan_height_texel(ivec2 place_2, int layer_1) {
     return _e4;
 }
 
-float barchan_maximum_mip_before_transfer(ivec2 place_4, int layer_3) {
-    ivec2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_4, layer_3);
-    vec4 _e6 = texelFetch(_group_0_binding_13_fs, _e3, layer_3);
+float barchan_maximum_mip_before_transfer(ivec2 place_3, int layer_2) {
+    ivec2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_3, layer_2);
+    vec4 _e6 = texelFetch(_group_0_binding_13_fs, _e3, layer_2);
     float _e8 = barchan_scaled(BARCHAN_MAXIMUM_MIP, _e6.x);
     return _e8;
 }
 
-float barchan_maximum_mip_texel(ivec2 place_5, int layer_4) {
-    float _e3 = barchan_maximum_mip_before_transfer(place_5, layer_4);
+float barchan_maximum_mip_texel(ivec2 place_4, int layer_3) {
+    float _e3 = barchan_maximum_mip_before_transfer(place_4, layer_3);
     float _e4 = barchan_transferred(BARCHAN_MAXIMUM_MIP, _e3);
     return _e4;
+}
+
+BarchanGradients barchan_gradients(vec3 along_u, vec3 along_v) {
+    vec3 area = cross(along_u, along_v);
+    float area_squared = dot(area, area);
+    if (!((area_squared > 0.0))) {
+        return BarchanGradients(vec3(0.0), vec3(0.0));
+    }
+    return BarchanGradients((cross(along_v, area) / vec3(area_squared)), (cross(area, along_u) / vec3(area_squared)));
+}
+
+vec2 barchan_texture_step(vec3 along_u_1, vec3 along_v_1, vec3 vector) {
+    BarchanGradients _e3 = barchan_gradients(along_u_1, along_v_1);
+    return vec2(dot(vector, _e3.of_u), dot(vector, _e3.of_v));
+}
+
+vec3 barchan_bump_normal(vec3 along_u_2, vec3 along_v_2, vec3 normal, vec2 per_uv) {
+    BarchanGradients _e4 = barchan_gradients(along_u_2, along_v_2);
+    return normalize(((normal - (per_uv.x * _e4.of_u)) - (per_uv.y * _e4.of_v)));
+}
+
+BarchanTangentLight barchan_tangent_light(vec3 along_u_3, vec3 along_v_3, vec3 normal_1, vec3 towards, vec2 extent) {
+    bool local_1 = false;
+    float height_1 = dot(towards, normal_1);
+    vec3 tangent_1 = (towards - (normal_1 * height_1));
+    float level_6 = length(tangent_1);
+    vec2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_1);
+    vec2 on_grid = (_e9 * extent);
+    float grid_length = length(on_grid);
+    if ((level_6 > 0.0)) {
+        local_1 = (grid_length > 0.0);
+    } else {
+        local_1 = false;
+    }
+    bool _e19 = local_1;
+    if (!(_e19)) {
+        return BarchanTangentLight(height_1, level_6, _e9, 0.0, 1.0);
+    }
+    float _e24 = barchan_azimuth(on_grid);
+    return BarchanTangentLight(height_1, level_6, _e9, _e24, (level_6 / grid_length));
 }
 
 float barchan_relief_thickness() {
@@ -273,57 +324,57 @@ float barchan_relief_depth(float height) {
     return _e2.x;
 }
 
-vec2 barchan_relief_in_tile(vec2 place_6) {
-    vec2 extent_1 = _group_0_binding_0_fs[0].extent;
+vec2 barchan_relief_in_tile(vec2 place_5) {
+    vec2 extent_2 = _group_0_binding_0_fs[0].extent;
     uint edges_1 = _group_0_binding_0_fs[0].edges;
     bvec2 repeats_1 = bvec2(((edges_1 & 1u) != 0u), ((edges_1 & 2u) != 0u));
-    vec2 rest_1 = (place_6 - (floor((place_6 / extent_1)) * extent_1));
-    return mix(place_6, mix(rest_1, (rest_1 + extent_1), lessThan(rest_1, vec2(0.0))), repeats_1);
+    vec2 rest_1 = (place_5 - (floor((place_5 / extent_2)) * extent_2));
+    return mix(place_5, mix(rest_1, (rest_1 + extent_2), lessThan(rest_1, vec2(0.0))), repeats_1);
 }
 
-BarchanReliefRay barchan_relief_ray(vec2 place_7, vec3 towards) {
-    bool local_1 = false;
+BarchanReliefRay barchan_relief_ray(vec2 place_6, vec3 towards_1) {
     bool local_2 = false;
     bool local_3 = false;
+    bool local_4 = false;
     vec2 spacing = _group_0_binding_0_fs[0].spacing;
     float _e6 = barchan_relief_thickness();
     float thickness = max(_e6, 0.0);
-    float level_6 = length(towards.xy);
-    float way_1 = (thickness * ((abs(towards.x) * spacing.y) + (abs(towards.y) * spacing.x)));
-    if ((way_1 <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards.z))) {
-        local_1 = (level_6 <= (BARCHAN_STEEPEST * towards.z));
-    } else {
-        local_1 = false;
-    }
-    bool is_short = local_1;
-    bool is_near = all(lessThanEqual(abs(place_7), vec2(16777216.0)));
-    if ((towards.z > 0.0)) {
-        local_2 = is_short;
+    float level_7 = length(towards_1.xy);
+    float way_1 = (thickness * ((abs(towards_1.x) * spacing.y) + (abs(towards_1.y) * spacing.x)));
+    if ((way_1 <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards_1.z))) {
+        local_2 = (level_7 <= (BARCHAN_STEEPEST * towards_1.z));
     } else {
         local_2 = false;
     }
-    bool _e48 = local_2;
-    if (_e48) {
-        local_3 = is_near;
+    bool is_short = local_2;
+    bool is_near = all(lessThanEqual(abs(place_6), vec2(16777216.0)));
+    if ((towards_1.z > 0.0)) {
+        local_3 = is_short;
     } else {
         local_3 = false;
     }
-    bool _e52 = local_3;
+    bool _e48 = local_3;
+    if (_e48) {
+        local_4 = is_near;
+    } else {
+        local_4 = false;
+    }
+    bool _e52 = local_4;
     if (!(_e52)) {
         return BarchanReliefRay(vec2(0.0), vec2(0.0), vec3(0.0, 0.0, 1.0), 0.0, false);
     }
-    float run = (thickness / towards.z);
-    vec2 step_1 = (vec2((-(run) * towards.x), (run * towards.y)) / spacing);
-    vec2 _e74 = barchan_relief_in_tile(place_7);
-    return BarchanReliefRay(_e74, step_1, towards, (level_6 / towards.z), true);
+    float run = (thickness / towards_1.z);
+    vec2 step_1 = (vec2((-(run) * towards_1.x), (run * towards_1.y)) / spacing);
+    vec2 _e74 = barchan_relief_in_tile(place_6);
+    return BarchanReliefRay(_e74, step_1, towards_1, (level_7 / towards_1.z), true);
 }
 
-BarchanReliefRay barchan_relief_ray_through(vec2 place_8, float depth, vec3 towards_1) {
-    BarchanReliefRay _e3 = barchan_relief_ray(place_8, towards_1);
+BarchanReliefRay barchan_relief_ray_through(vec2 place_7, float depth, vec3 towards_2) {
+    BarchanReliefRay _e3 = barchan_relief_ray(place_7, towards_2);
     if (!(_e3.is_valid)) {
         return _e3;
     }
-    BarchanReliefRay _e10 = barchan_relief_ray((_e3.place - (depth * _e3.step_)), towards_1);
+    BarchanReliefRay _e10 = barchan_relief_ray((_e3.place - (depth * _e3.step_)), towards_2);
     return _e10;
 }
 
@@ -383,10 +434,10 @@ float barchan_relief_twist(vec4 corners) {
 }
 
 float barchan_relief_cell_gap(BarchanReliefRay ray_6, ivec2 cell_1, vec4 corners_1, float depth_4) {
-    vec2 place_10 = ((ray_6.place - vec2(cell_1)) + (depth_4 * ray_6.step_));
-    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_10.x)) + ((corners_1.z - corners_1.x) * place_10.y));
+    vec2 place_9 = ((ray_6.place - vec2(cell_1)) + (depth_4 * ray_6.step_));
+    float plane = ((corners_1.x + ((corners_1.y - corners_1.x) * place_9.x)) + ((corners_1.z - corners_1.x) * place_9.y));
     float _e23 = barchan_relief_twist(corners_1);
-    return ((plane + ((_e23 * place_10.x) * place_10.y)) - depth_4);
+    return ((plane + ((_e23 * place_9.x) * place_9.y)) - depth_4);
 }
 
 float barchan_relief_gap(BarchanReliefRay ray_7, float depth_5) {
@@ -398,11 +449,11 @@ float barchan_relief_gap(BarchanReliefRay ray_7, float depth_5) {
 }
 
 float barchan_relief_first_zero(float g0_, float g1_, float c) {
-    bool local_4 = false;
     bool local_5 = false;
     bool local_6 = false;
-    float s = 1.0;
     bool local_7 = false;
+    float s = 1.0;
+    bool local_8 = false;
     if ((g0_ <= 0.0)) {
         return 0.0;
     }
@@ -410,22 +461,22 @@ float barchan_relief_first_zero(float g0_, float g1_, float c) {
     float discriminant = ((b * b) - ((4.0 * c) * g0_));
     if ((g1_ > 0.0)) {
         if (!((c <= 0.0))) {
-            local_5 = (b >= 0.0);
-        } else {
-            local_5 = true;
-        }
-        bool _e25 = local_5;
-        if (!(_e25)) {
-            local_6 = (discriminant < 0.0);
+            local_6 = (b >= 0.0);
         } else {
             local_6 = true;
         }
-        bool _e32 = local_6;
-        local_4 = _e32;
+        bool _e25 = local_6;
+        if (!(_e25)) {
+            local_7 = (discriminant < 0.0);
+        } else {
+            local_7 = true;
+        }
+        bool _e32 = local_7;
+        local_5 = _e32;
     } else {
-        local_4 = false;
+        local_5 = false;
     }
-    bool _e34 = local_4;
+    bool _e34 = local_5;
     if (_e34) {
         return -1.0;
     }
@@ -437,11 +488,11 @@ float barchan_relief_first_zero(float g0_, float g1_, float c) {
     }
     if ((g1_ > 0.0)) {
         float _e55 = s;
-        local_7 = (_e55 > 1.0);
+        local_8 = (_e55 > 1.0);
     } else {
-        local_7 = false;
+        local_8 = false;
     }
-    bool _e59 = local_7;
+    bool _e59 = local_8;
     if (_e59) {
         return -1.0;
     }
@@ -460,16 +511,16 @@ float barchan_relief_hit(BarchanReliefRay ray_8, ivec2 cell_2, vec4 corners_2, f
 }
 
 BarchanReliefLeft barchan_relief_leave(BarchanReliefRay ray_9, BarchanStart start_4, float step_) {
-    bool local_8 = false;
+    bool local_9 = false;
     float inside = 0.0;
     int fetches = 1;
     float depth_9 = ((start_4.depth > 0.0) ? min(start_4.depth, 1.0) : 0.0);
     if (!(start_4.is_proven)) {
-        local_8 = (depth_9 == 0.0);
+        local_9 = (depth_9 == 0.0);
     } else {
-        local_8 = true;
+        local_9 = true;
     }
-    bool _e18 = local_8;
+    bool _e18 = local_9;
     if (_e18) {
         return BarchanReliefLeft(depth_9, depth_9, false, 0);
     }
@@ -527,16 +578,16 @@ int barchan_mip_finest() {
 
 int barchan_mip_level_as_long_as(float way, int most) {
     int level_1 = 0;
-    bool local_9 = false;
+    bool local_10 = false;
     while(true) {
         int _e4 = level_1;
         if ((_e4 < most)) {
             int _e8 = level_1;
-            local_9 = (float((2 << uint(_e8))) <= way);
+            local_10 = (float((2 << uint(_e8))) <= way);
         } else {
-            local_9 = false;
+            local_10 = false;
         }
-        bool _e15 = local_9;
+        bool _e15 = local_10;
         if (_e15) {
         } else {
             break;
@@ -553,8 +604,8 @@ int barchan_mip_level_as_long_as(float way, int most) {
 }
 
 ivec3 barchan_mip_range(bool repeats, int cell_3, int size, int level_2) {
-    bool local_10 = false;
     bool local_11 = false;
+    bool local_12 = false;
     int last = (max((size >> uint(level_2)), 1) - 1);
     int repeated_1 = (((cell_3 % size) + size) % size);
     int inside_1 = (repeats ? repeated_1 : min(max(cell_3, 0), (size - 1)));
@@ -566,45 +617,45 @@ ivec3 barchan_mip_range(bool repeats, int cell_3, int size, int level_2) {
         return ivec3((tile + low_2), (tile + high_2), texel);
     }
     if ((level_2 == 0)) {
-        local_10 = (cell_3 < 0);
+        local_11 = (cell_3 < 0);
     } else {
-        local_10 = false;
+        local_11 = false;
     }
-    bool _e42 = local_10;
+    bool _e42 = local_11;
     if (_e42) {
         return ivec3(-33554432, 0, texel);
     }
     if ((level_2 > 0)) {
-        local_11 = (texel == 0);
+        local_12 = (texel == 0);
     } else {
-        local_11 = false;
+        local_12 = false;
     }
-    bool _e54 = local_11;
+    bool _e54 = local_12;
     return ivec3((_e54 ? -33554432 : low_2), ((texel == last) ? BARCHAN_ENDLESS : high_2), texel);
 }
 
 BarchanMipBlock barchan_mip_block(int level_3, ivec2 cell_4) {
     vec2 _e5 = _group_0_binding_0_fs[0].extent;
-    ivec2 extent_2 = ivec2(_e5);
+    ivec2 extent_3 = ivec2(_e5);
     uint edges_2 = _group_0_binding_0_fs[0].edges;
-    ivec3 _e17 = barchan_mip_range(((edges_2 & 1u) != 0u), cell_4.x, extent_2.x, level_3);
-    ivec3 _e24 = barchan_mip_range(((edges_2 & 2u) != 0u), cell_4.y, extent_2.y, level_3);
+    ivec3 _e17 = barchan_mip_range(((edges_2 & 1u) != 0u), cell_4.x, extent_3.x, level_3);
+    ivec3 _e24 = barchan_mip_range(((edges_2 & 2u) != 0u), cell_4.y, extent_3.y, level_3);
     return BarchanMipBlock(ivec2(_e17.x, _e24.x), ivec2(_e17.y, _e24.y), ivec2(_e17.z, _e24.z));
 }
 
 int barchan_mip_level_behind(BarchanReliefRay ray_11, int level_4, ivec2 cell_5, ivec2 next_1, float gap) {
-    bool local_12 = false;
+    bool local_13 = false;
     int _e7 = barchan_mip_finest();
     int above = max((level_4 + 1), _e7);
     float _e9 = barchan_relief_way(ray_11);
     bool is_high = ((gap * _e9) > float((1 << uint(above))));
     int _e16 = barchan_mip_coarsest();
     if (!((above > _e16))) {
-        local_12 = !(is_high);
+        local_13 = !(is_high);
     } else {
-        local_12 = true;
+        local_13 = true;
     }
-    bool _e23 = local_12;
+    bool _e23 = local_13;
     if (_e23) {
         return level_4;
     }
@@ -621,7 +672,7 @@ BarchanFound barchan_relief_search(BarchanReliefRay ray_12, BarchanStart start_5
     int level_5 = 0;
     int turn = 0;
     float gap_1 = 0.0;
-    bool local_13 = false;
+    bool local_14 = false;
     BarchanReliefLeft _e3 = barchan_relief_leave(ray_12, start_5, BARCHAN_STEP_BACK);
     uint _e7 = _group_0_binding_0_fs[11].first_level;
     int first_level = int(_e7);
@@ -681,11 +732,11 @@ BarchanFound barchan_relief_search(BarchanReliefRay ray_12, BarchanStart start_5
                 float _e72 = barchan_maximum_mip_texel(_e32.texel, (_e70 - first_level));
                 float _e73 = barchan_relief_depth(_e72);
                 if ((_e73 > _e36.depth)) {
-                    local_13 = (_e36.depth < 1.0);
+                    local_14 = (_e36.depth < 1.0);
                 } else {
-                    local_13 = false;
+                    local_14 = false;
                 }
-                bool _e82 = local_13;
+                bool _e82 = local_14;
                 if (!(_e82)) {
                     float _e84 = depth_6;
                     depth_6 = max(_e84, min(_e73, _e36.depth));
@@ -731,20 +782,20 @@ vec2 barchan_probe_place(vec4 position_2) {
     return (_e3 + (floor(position_2.xy) * _e8));
 }
 
-bool barchan_relief_in_shadow(vec2 place_9, float depth_7, vec3 towards_2, float tolerance) {
-    bool local_14 = false;
-    BarchanReliefRay _e4 = barchan_relief_ray_through(place_9, depth_7, towards_2);
+bool barchan_relief_in_shadow(vec2 place_8, float depth_7, vec3 towards_3, float tolerance) {
+    bool local_15 = false;
+    BarchanReliefRay _e4 = barchan_relief_ray_through(place_8, depth_7, towards_3);
     if (!(_e4.is_valid)) {
         return true;
     }
     float clear = (depth_7 - tolerance);
     BarchanStart _e9 = barchan_relief_start(_e4);
     if (_e9.is_proven) {
-        local_14 = (_e9.depth >= clear);
+        local_15 = (_e9.depth >= clear);
     } else {
-        local_14 = false;
+        local_15 = false;
     }
-    bool _e16 = local_14;
+    bool _e16 = local_15;
     if (_e16) {
         return false;
     }

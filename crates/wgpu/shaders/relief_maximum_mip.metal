@@ -31,6 +31,17 @@ struct BarchanTable {
 struct BarchanTables {
     BarchanTable inner[12];
 };
+struct BarchanTangentLight {
+    float height;
+    float level;
+    metal::float2 direction;
+    float azimuth;
+    float stretch;
+};
+struct BarchanGradients {
+    metal::float3 of_u;
+    metal::float3 of_v;
+};
 struct BarchanReliefRay {
     metal::float2 place;
     metal::float2 step;
@@ -101,7 +112,7 @@ float barchan_arcsine(
     float square = is_steep ? (0.5 * (1.0 - size_1)) : (size_1 * size_1);
     float root = is_steep ? metal::sqrt(square) : size_1;
     float series = ((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root;
-    float angle_1 = is_steep ? (1.5707964 - (2.0 * series)) : series;
+    float angle_1 = is_steep ? (1.5707963 - (2.0 * series)) : series;
     return (sine < 0.0) ? -(angle_1) : angle_1;
 }
 
@@ -196,10 +207,10 @@ metal::int2 barchan_inside(
     uint first = barchan_tables.inner[table].first_level;
     metal::float2 _e10 = barchan_tables.inner[table].extent;
     metal::int2 whole = naga_f2i32(_e10);
-    metal::int2 extent = metal::max(whole >> metal::uint2(first + static_cast<uint>(level)), metal::int2(1));
+    metal::int2 extent_1 = metal::max(whole >> metal::uint2(first + static_cast<uint>(level)), metal::int2(1));
     uint edges = barchan_tables.inner[table].edges;
-    metal::int2 repeated = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(place, extent)) + as_type<metal::uint2>(extent)), extent);
-    metal::int2 clamped = metal::clamp(place, metal::int2(0), as_type<metal::int2>(as_type<metal::uint2>(extent) - as_type<metal::uint2>(metal::int2(1))));
+    metal::int2 repeated = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(place, extent_1)) + as_type<metal::uint2>(extent_1)), extent_1);
+    metal::int2 clamped = metal::clamp(place, metal::int2(0), as_type<metal::int2>(as_type<metal::uint2>(extent_1) - as_type<metal::uint2>(metal::int2(1))));
     metal::int2 _e41 = barchan_chosen(clamped, repeated, metal::bool2((edges & 1u) != 0u, (edges & 2u) != 0u));
     return _e41;
 }
@@ -309,43 +320,85 @@ float barchan_height_texel(
     return _e4;
 }
 
-float barchan_height_at(
-    metal::float2 place_3,
-    int layer_2,
-    constant BarchanTables& barchan_tables,
-    metal::sampler barchan_sampler,
-    metal::texture2d<float, metal::access::sample> barchan_height_texels
-) {
-    metal::float2 _e8 = barchan_tables.inner[0].extent;
-    metal::float2 uv = (place_3 + metal::float2(0.5)) / _e8;
-    metal::float4 _e13 = barchan_height_texels.sample(barchan_sampler, uv, metal::level(0.0));
-    float stored_4 = _e13.x;
-    float _e17 = barchan_scaled(BARCHAN_HEIGHT, stored_4, barchan_tables);
-    float _e18 = barchan_transferred(BARCHAN_HEIGHT, _e17, barchan_tables);
-    return _e18;
-}
-
 float barchan_maximum_mip_before_transfer(
-    metal::int2 place_4,
-    int layer_3,
+    metal::int2 place_3,
+    int layer_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_maximum_mip_texels
 ) {
-    metal::int2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_4, layer_3, barchan_tables);
-    metal::float4 _e6 = barchan_maximum_mip_texels.read(metal::uint2(_e3), layer_3);
+    metal::int2 _e3 = barchan_inside(BARCHAN_MAXIMUM_MIP, place_3, layer_2, barchan_tables);
+    metal::float4 _e6 = barchan_maximum_mip_texels.read(metal::uint2(_e3), layer_2);
     float _e8 = barchan_scaled(BARCHAN_MAXIMUM_MIP, _e6.x, barchan_tables);
     return _e8;
 }
 
 float barchan_maximum_mip_texel(
-    metal::int2 place_5,
-    int layer_4,
+    metal::int2 place_4,
+    int layer_3,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_maximum_mip_texels
 ) {
-    float _e3 = barchan_maximum_mip_before_transfer(place_5, layer_4, barchan_tables, barchan_maximum_mip_texels);
+    float _e3 = barchan_maximum_mip_before_transfer(place_4, layer_3, barchan_tables, barchan_maximum_mip_texels);
     float _e4 = barchan_transferred(BARCHAN_MAXIMUM_MIP, _e3, barchan_tables);
     return _e4;
+}
+
+BarchanGradients barchan_gradients(
+    metal::float3 along_u,
+    metal::float3 along_v
+) {
+    metal::float3 area = metal::cross(along_u, along_v);
+    float area_squared = metal::dot(area, area);
+    if (!((area_squared > 0.0))) {
+        return BarchanGradients {metal::float3(0.0), metal::float3(0.0)};
+    }
+    return BarchanGradients {metal::cross(along_v, area) / metal::float3(area_squared), metal::cross(area, along_u) / metal::float3(area_squared)};
+}
+
+metal::float2 barchan_texture_step(
+    metal::float3 along_u_1,
+    metal::float3 along_v_1,
+    metal::float3 vector
+) {
+    BarchanGradients _e3 = barchan_gradients(along_u_1, along_v_1);
+    return metal::float2(metal::dot(vector, _e3.of_u), metal::dot(vector, _e3.of_v));
+}
+
+metal::float3 barchan_bump_normal(
+    metal::float3 along_u_2,
+    metal::float3 along_v_2,
+    metal::float3 normal,
+    metal::float2 per_uv
+) {
+    BarchanGradients _e4 = barchan_gradients(along_u_2, along_v_2);
+    return metal::normalize((normal - (per_uv.x * _e4.of_u)) - (per_uv.y * _e4.of_v));
+}
+
+BarchanTangentLight barchan_tangent_light(
+    metal::float3 along_u_3,
+    metal::float3 along_v_3,
+    metal::float3 normal_1,
+    metal::float3 towards,
+    metal::float2 extent
+) {
+    bool local_1 = {};
+    float height_1 = metal::dot(towards, normal_1);
+    metal::float3 tangent_1 = towards - (normal_1 * height_1);
+    float level_6 = metal::length(tangent_1);
+    metal::float2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_1);
+    metal::float2 on_grid = _e9 * extent;
+    float grid_length = metal::length(on_grid);
+    if (level_6 > 0.0) {
+        local_1 = grid_length > 0.0;
+    } else {
+        local_1 = false;
+    }
+    bool _e19 = local_1;
+    if (!(_e19)) {
+        return BarchanTangentLight {height_1, level_6, _e9, 0.0, 1.0};
+    }
+    float _e24 = barchan_azimuth(on_grid);
+    return BarchanTangentLight {height_1, level_6, _e9, _e24, level_6 / grid_length};
 }
 
 float barchan_relief_thickness(
@@ -377,68 +430,68 @@ float barchan_relief_depth(
 }
 
 metal::float2 barchan_relief_in_tile(
-    metal::float2 place_6,
+    metal::float2 place_5,
     constant BarchanTables& barchan_tables
 ) {
-    metal::float2 extent_1 = barchan_tables.inner[0].extent;
+    metal::float2 extent_2 = barchan_tables.inner[0].extent;
     uint edges_1 = barchan_tables.inner[0].edges;
     metal::bool2 repeats_1 = metal::bool2((edges_1 & 1u) != 0u, (edges_1 & 2u) != 0u);
-    metal::float2 rest_1 = place_6 - (metal::floor(place_6 / extent_1) * extent_1);
-    return metal::select(place_6, metal::select(rest_1, rest_1 + extent_1, rest_1 < metal::float2(0.0)), repeats_1);
+    metal::float2 rest_1 = place_5 - (metal::floor(place_5 / extent_2) * extent_2);
+    return metal::select(place_5, metal::select(rest_1, rest_1 + extent_2, rest_1 < metal::float2(0.0)), repeats_1);
 }
 
 BarchanReliefRay barchan_relief_ray(
-    metal::float2 place_7,
-    metal::float3 towards,
-    constant BarchanTables& barchan_tables
-) {
-    bool local_1 = {};
-    bool local_2 = {};
-    bool local_3 = {};
-    metal::float2 spacing = barchan_tables.inner[0].spacing;
-    float _e6 = barchan_relief_thickness(barchan_tables);
-    float thickness = metal::max(_e6, 0.0);
-    float level_6 = metal::length(towards.xy);
-    float way_1 = thickness * ((metal::abs(towards.x) * spacing.y) + (metal::abs(towards.y) * spacing.x));
-    if (way_1 <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards.z)) {
-        local_1 = level_6 <= (BARCHAN_STEEPEST * towards.z);
-    } else {
-        local_1 = false;
-    }
-    bool is_short = local_1;
-    bool is_near = metal::all(metal::abs(place_7) <= metal::float2(16777216.0));
-    if (towards.z > 0.0) {
-        local_2 = is_short;
-    } else {
-        local_2 = false;
-    }
-    bool _e48 = local_2;
-    if (_e48) {
-        local_3 = is_near;
-    } else {
-        local_3 = false;
-    }
-    bool _e52 = local_3;
-    if (!(_e52)) {
-        return BarchanReliefRay {metal::float2(0.0), metal::float2(0.0), metal::float3(0.0, 0.0, 1.0), 0.0, false};
-    }
-    float run = thickness / towards.z;
-    metal::float2 step_1 = metal::float2(-(run) * towards.x, run * towards.y) / spacing;
-    metal::float2 _e74 = barchan_relief_in_tile(place_7, barchan_tables);
-    return BarchanReliefRay {_e74, step_1, towards, level_6 / towards.z, true};
-}
-
-BarchanReliefRay barchan_relief_ray_through(
-    metal::float2 place_8,
-    float depth,
+    metal::float2 place_6,
     metal::float3 towards_1,
     constant BarchanTables& barchan_tables
 ) {
-    BarchanReliefRay _e3 = barchan_relief_ray(place_8, towards_1, barchan_tables);
+    bool local_2 = {};
+    bool local_3 = {};
+    bool local_4 = {};
+    metal::float2 spacing = barchan_tables.inner[0].spacing;
+    float _e6 = barchan_relief_thickness(barchan_tables);
+    float thickness = metal::max(_e6, 0.0);
+    float level_7 = metal::length(towards_1.xy);
+    float way_1 = thickness * ((metal::abs(towards_1.x) * spacing.y) + (metal::abs(towards_1.y) * spacing.x));
+    if (way_1 <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards_1.z)) {
+        local_2 = level_7 <= (BARCHAN_STEEPEST * towards_1.z);
+    } else {
+        local_2 = false;
+    }
+    bool is_short = local_2;
+    bool is_near = metal::all(metal::abs(place_6) <= metal::float2(16777216.0));
+    if (towards_1.z > 0.0) {
+        local_3 = is_short;
+    } else {
+        local_3 = false;
+    }
+    bool _e48 = local_3;
+    if (_e48) {
+        local_4 = is_near;
+    } else {
+        local_4 = false;
+    }
+    bool _e52 = local_4;
+    if (!(_e52)) {
+        return BarchanReliefRay {metal::float2(0.0), metal::float2(0.0), metal::float3(0.0, 0.0, 1.0), 0.0, false};
+    }
+    float run = thickness / towards_1.z;
+    metal::float2 step_1 = metal::float2(-(run) * towards_1.x, run * towards_1.y) / spacing;
+    metal::float2 _e74 = barchan_relief_in_tile(place_6, barchan_tables);
+    return BarchanReliefRay {_e74, step_1, towards_1, level_7 / towards_1.z, true};
+}
+
+BarchanReliefRay barchan_relief_ray_through(
+    metal::float2 place_7,
+    float depth,
+    metal::float3 towards_2,
+    constant BarchanTables& barchan_tables
+) {
+    BarchanReliefRay _e3 = barchan_relief_ray(place_7, towards_2, barchan_tables);
     if (!(_e3.is_valid)) {
         return _e3;
     }
-    BarchanReliefRay _e10 = barchan_relief_ray(_e3.place - (depth * _e3.step), towards_1, barchan_tables);
+    BarchanReliefRay _e10 = barchan_relief_ray(_e3.place - (depth * _e3.step), towards_2, barchan_tables);
     return _e10;
 }
 
@@ -530,10 +583,10 @@ float barchan_relief_cell_gap(
     metal::float4 corners_1,
     float depth_4
 ) {
-    metal::float2 place_10 = (ray_6.place - static_cast<metal::float2>(cell_1)) + (depth_4 * ray_6.step);
-    float plane = (corners_1.x + ((corners_1.y - corners_1.x) * place_10.x)) + ((corners_1.z - corners_1.x) * place_10.y);
+    metal::float2 place_9 = (ray_6.place - static_cast<metal::float2>(cell_1)) + (depth_4 * ray_6.step);
+    float plane = (corners_1.x + ((corners_1.y - corners_1.x) * place_9.x)) + ((corners_1.z - corners_1.x) * place_9.y);
     float _e23 = barchan_relief_twist(corners_1);
-    return (plane + ((_e23 * place_10.x) * place_10.y)) - depth_4;
+    return (plane + ((_e23 * place_9.x) * place_9.y)) - depth_4;
 }
 
 float barchan_relief_gap(
@@ -554,11 +607,11 @@ float barchan_relief_first_zero(
     float g1_,
     float c
 ) {
-    bool local_4 = {};
     bool local_5 = {};
     bool local_6 = {};
-    float s = 1.0;
     bool local_7 = {};
+    float s = 1.0;
+    bool local_8 = {};
     if (g0_ <= 0.0) {
         return 0.0;
     }
@@ -566,22 +619,22 @@ float barchan_relief_first_zero(
     float discriminant = (b * b) - ((4.0 * c) * g0_);
     if (g1_ > 0.0) {
         if (!((c <= 0.0))) {
-            local_5 = b >= 0.0;
-        } else {
-            local_5 = true;
-        }
-        bool _e25 = local_5;
-        if (!(_e25)) {
-            local_6 = discriminant < 0.0;
+            local_6 = b >= 0.0;
         } else {
             local_6 = true;
         }
-        bool _e32 = local_6;
-        local_4 = _e32;
+        bool _e25 = local_6;
+        if (!(_e25)) {
+            local_7 = discriminant < 0.0;
+        } else {
+            local_7 = true;
+        }
+        bool _e32 = local_7;
+        local_5 = _e32;
     } else {
-        local_4 = false;
+        local_5 = false;
     }
-    bool _e34 = local_4;
+    bool _e34 = local_5;
     if (_e34) {
         return -1.0;
     }
@@ -593,11 +646,11 @@ float barchan_relief_first_zero(
     }
     if (g1_ > 0.0) {
         float _e55 = s;
-        local_7 = _e55 > 1.0;
+        local_8 = _e55 > 1.0;
     } else {
-        local_7 = false;
+        local_8 = false;
     }
-    bool _e59 = local_7;
+    bool _e59 = local_8;
     if (_e59) {
         return -1.0;
     }
@@ -628,16 +681,16 @@ BarchanReliefLeft barchan_relief_leave(
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_height_texels
 ) {
-    bool local_8 = {};
+    bool local_9 = {};
     float inside = {};
     int fetches = 1;
     float depth_9 = (start_4.depth > 0.0) ? metal::min(start_4.depth, 1.0) : 0.0;
     if (!(start_4.is_proven)) {
-        local_8 = depth_9 == 0.0;
+        local_9 = depth_9 == 0.0;
     } else {
-        local_8 = true;
+        local_9 = true;
     }
-    bool _e18 = local_8;
+    bool _e18 = local_9;
     if (_e18) {
         return BarchanReliefLeft {depth_9, depth_9, false, {}, 0};
     }
@@ -705,16 +758,16 @@ int barchan_mip_level_as_long_as(
     constant BarchanTables& barchan_tables
 ) {
     int level_1 = 0;
-    bool local_9 = {};
+    bool local_10 = {};
     while(true) {
         int _e4 = level_1;
         if (_e4 < most) {
             int _e8 = level_1;
-            local_9 = static_cast<float>(2 << static_cast<uint>(_e8)) <= way;
+            local_10 = static_cast<float>(2 << static_cast<uint>(_e8)) <= way;
         } else {
-            local_9 = false;
+            local_10 = false;
         }
-        bool _e15 = local_9;
+        bool _e15 = local_10;
         if (_e15) {
         } else {
             break;
@@ -741,8 +794,8 @@ metal::int3 barchan_mip_range(
     int size,
     int level_2
 ) {
-    bool local_10 = {};
     bool local_11 = {};
+    bool local_12 = {};
     int last = as_type<int>(as_type<uint>(metal::max(size >> static_cast<uint>(level_2), 1)) - as_type<uint>(1));
     int repeated_1 = naga_mod(as_type<int>(as_type<uint>(naga_mod(cell_3, size)) + as_type<uint>(size)), size);
     int inside_1 = repeats ? repeated_1 : metal::clamp(cell_3, 0, as_type<int>(as_type<uint>(size) - as_type<uint>(1)));
@@ -754,20 +807,20 @@ metal::int3 barchan_mip_range(
         return metal::int3(as_type<int>(as_type<uint>(tile) + as_type<uint>(low_2)), as_type<int>(as_type<uint>(tile) + as_type<uint>(high_2)), texel);
     }
     if (level_2 == 0) {
-        local_10 = cell_3 < 0;
+        local_11 = cell_3 < 0;
     } else {
-        local_10 = false;
+        local_11 = false;
     }
-    bool _e42 = local_10;
+    bool _e42 = local_11;
     if (_e42) {
         return metal::int3(-33554432, 0, texel);
     }
     if (level_2 > 0) {
-        local_11 = texel == 0;
+        local_12 = texel == 0;
     } else {
-        local_11 = false;
+        local_12 = false;
     }
-    bool _e54 = local_11;
+    bool _e54 = local_12;
     return metal::int3(_e54 ? -33554432 : low_2, (texel == last) ? BARCHAN_ENDLESS : high_2, texel);
 }
 
@@ -777,10 +830,10 @@ BarchanMipBlock barchan_mip_block(
     constant BarchanTables& barchan_tables
 ) {
     metal::float2 _e5 = barchan_tables.inner[0].extent;
-    metal::int2 extent_2 = naga_f2i32(_e5);
+    metal::int2 extent_3 = naga_f2i32(_e5);
     uint edges_2 = barchan_tables.inner[0].edges;
-    metal::int3 _e17 = barchan_mip_range((edges_2 & 1u) != 0u, cell_4.x, extent_2.x, level_3);
-    metal::int3 _e24 = barchan_mip_range((edges_2 & 2u) != 0u, cell_4.y, extent_2.y, level_3);
+    metal::int3 _e17 = barchan_mip_range((edges_2 & 1u) != 0u, cell_4.x, extent_3.x, level_3);
+    metal::int3 _e24 = barchan_mip_range((edges_2 & 2u) != 0u, cell_4.y, extent_3.y, level_3);
     return BarchanMipBlock {metal::int2(_e17.x, _e24.x), metal::int2(_e17.y, _e24.y), metal::int2(_e17.z, _e24.z)};
 }
 
@@ -792,18 +845,18 @@ int barchan_mip_level_behind(
     float gap,
     constant BarchanTables& barchan_tables
 ) {
-    bool local_12 = {};
+    bool local_13 = {};
     int _e7 = barchan_mip_finest(barchan_tables);
     int above = metal::max(as_type<int>(as_type<uint>(level_4) + as_type<uint>(1)), _e7);
     float _e9 = barchan_relief_way(ray_11);
     bool is_high = (gap * _e9) > static_cast<float>(1 << static_cast<uint>(above));
     int _e16 = barchan_mip_coarsest(barchan_tables);
     if (!((above > _e16))) {
-        local_12 = !(is_high);
+        local_13 = !(is_high);
     } else {
-        local_12 = true;
+        local_13 = true;
     }
-    bool _e23 = local_12;
+    bool _e23 = local_13;
     if (_e23) {
         return level_4;
     }
@@ -826,7 +879,7 @@ BarchanFound barchan_relief_search(
     int level_5 = {};
     int turn = 0;
     float gap_1 = {};
-    bool local_13 = {};
+    bool local_14 = {};
     BarchanReliefLeft _e3 = barchan_relief_leave(ray_12, start_5, BARCHAN_STEP_BACK, barchan_tables, barchan_height_texels);
     uint _e7 = barchan_tables.inner[11].first_level;
     int first_level = static_cast<int>(_e7);
@@ -886,11 +939,11 @@ BarchanFound barchan_relief_search(
                 float _e72 = barchan_maximum_mip_texel(_e32.texel, as_type<int>(as_type<uint>(_e70) - as_type<uint>(first_level)), barchan_tables, barchan_maximum_mip_texels);
                 float _e73 = barchan_relief_depth(_e72, barchan_tables);
                 if (_e73 > _e36.depth) {
-                    local_13 = _e36.depth < 1.0;
+                    local_14 = _e36.depth < 1.0;
                 } else {
-                    local_13 = false;
+                    local_14 = false;
                 }
-                bool _e82 = local_13;
+                bool _e82 = local_14;
                 if (!(_e82)) {
                     float _e84 = depth_6;
                     depth_6 = metal::max(_e84, metal::min(_e73, _e36.depth));
@@ -945,27 +998,27 @@ metal::float2 barchan_probe_place(
 }
 
 bool barchan_relief_in_shadow(
-    metal::float2 place_9,
+    metal::float2 place_8,
     float depth_7,
-    metal::float3 towards_2,
+    metal::float3 towards_3,
     float tolerance,
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_height_texels,
     metal::texture2d<float, metal::access::sample> barchan_maximum_mip_texels
 ) {
-    bool local_14 = {};
-    BarchanReliefRay _e4 = barchan_relief_ray_through(place_9, depth_7, towards_2, barchan_tables);
+    bool local_15 = {};
+    BarchanReliefRay _e4 = barchan_relief_ray_through(place_8, depth_7, towards_3, barchan_tables);
     if (!(_e4.is_valid)) {
         return true;
     }
     float clear = depth_7 - tolerance;
     BarchanStart _e9 = barchan_relief_start(_e4);
     if (_e9.is_proven) {
-        local_14 = _e9.depth >= clear;
+        local_15 = _e9.depth >= clear;
     } else {
-        local_14 = false;
+        local_15 = false;
     }
-    bool _e16 = local_14;
+    bool _e16 = local_15;
     if (_e16) {
         return false;
     }

@@ -27,6 +27,17 @@ struct BarchanTable {
     float least;
     float greatest;
 };
+struct BarchanTangentLight {
+    float height;
+    float level;
+    vec2 direction;
+    float azimuth;
+    float stretch;
+};
+struct BarchanGradients {
+    vec3 of_u;
+    vec3 of_v;
+};
 struct BarchanReliefRay {
     vec2 place;
     vec2 step_;
@@ -96,7 +107,7 @@ float barchan_arcsine(float sine) {
     float square = (is_steep ? (0.5 * (1.0 - size)) : (size * size));
     float root = (is_steep ? sqrt(square) : size);
     float series = (((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root);
-    float angle_1 = (is_steep ? (1.5707964 - (2.0 * series)) : series);
+    float angle_1 = (is_steep ? (1.5707963 - (2.0 * series)) : series);
     return ((sine < 0.0) ? -(angle_1) : angle_1);
 }
 
@@ -163,10 +174,10 @@ ivec2 barchan_inside(uint table, ivec2 place, int level) {
     uint first = _group_0_binding_0_fs[table].first_level;
     vec2 _e10 = _group_0_binding_0_fs[table].extent;
     ivec2 whole = ivec2(_e10);
-    ivec2 extent = max((whole >> uvec2((first + uint(level)))), ivec2(1));
+    ivec2 extent_1 = max((whole >> uvec2((first + uint(level)))), ivec2(1));
     uint edges = _group_0_binding_0_fs[table].edges;
-    ivec2 repeated = (((place % extent) + extent) % extent);
-    ivec2 clamped = min(max(place, ivec2(0)), (extent - ivec2(1)));
+    ivec2 repeated = (((place % extent_1) + extent_1) % extent_1);
+    ivec2 clamped = min(max(place, ivec2(0)), (extent_1 - ivec2(1)));
     ivec2 _e41 = barchan_chosen(clamped, repeated, bvec2(((edges & 1u) != 0u), ((edges & 2u) != 0u)));
     return _e41;
 }
@@ -269,6 +280,46 @@ vec2 barchan_relaxed_cone_map_at(vec2 place_6, int layer_5) {
     return _e18;
 }
 
+BarchanGradients barchan_gradients(vec3 along_u, vec3 along_v) {
+    vec3 area = cross(along_u, along_v);
+    float area_squared = dot(area, area);
+    if (!((area_squared > 0.0))) {
+        return BarchanGradients(vec3(0.0), vec3(0.0));
+    }
+    return BarchanGradients((cross(along_v, area) / vec3(area_squared)), (cross(area, along_u) / vec3(area_squared)));
+}
+
+vec2 barchan_texture_step(vec3 along_u_1, vec3 along_v_1, vec3 vector) {
+    BarchanGradients _e3 = barchan_gradients(along_u_1, along_v_1);
+    return vec2(dot(vector, _e3.of_u), dot(vector, _e3.of_v));
+}
+
+vec3 barchan_bump_normal(vec3 along_u_2, vec3 along_v_2, vec3 normal, vec2 per_uv) {
+    BarchanGradients _e4 = barchan_gradients(along_u_2, along_v_2);
+    return normalize(((normal - (per_uv.x * _e4.of_u)) - (per_uv.y * _e4.of_v)));
+}
+
+BarchanTangentLight barchan_tangent_light(vec3 along_u_3, vec3 along_v_3, vec3 normal_1, vec3 towards, vec2 extent) {
+    bool local_1 = false;
+    float height_1 = dot(towards, normal_1);
+    vec3 tangent_1 = (towards - (normal_1 * height_1));
+    float level_1 = length(tangent_1);
+    vec2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_1);
+    vec2 on_grid = (_e9 * extent);
+    float grid_length = length(on_grid);
+    if ((level_1 > 0.0)) {
+        local_1 = (grid_length > 0.0);
+    } else {
+        local_1 = false;
+    }
+    bool _e19 = local_1;
+    if (!(_e19)) {
+        return BarchanTangentLight(height_1, level_1, _e9, 0.0, 1.0);
+    }
+    float _e24 = barchan_azimuth(on_grid);
+    return BarchanTangentLight(height_1, level_1, _e9, _e24, (level_1 / grid_length));
+}
+
 float barchan_relief_thickness() {
     float _e3 = _group_0_binding_0_fs[0].greatest;
     float _e7 = _group_0_binding_0_fs[0].least;
@@ -290,56 +341,56 @@ float barchan_relief_depth(float height) {
 }
 
 vec2 barchan_relief_in_tile(vec2 place_7) {
-    vec2 extent_1 = _group_0_binding_0_fs[0].extent;
+    vec2 extent_2 = _group_0_binding_0_fs[0].extent;
     uint edges_1 = _group_0_binding_0_fs[0].edges;
     bvec2 repeats = bvec2(((edges_1 & 1u) != 0u), ((edges_1 & 2u) != 0u));
-    vec2 rest_1 = (place_7 - (floor((place_7 / extent_1)) * extent_1));
-    return mix(place_7, mix(rest_1, (rest_1 + extent_1), lessThan(rest_1, vec2(0.0))), repeats);
+    vec2 rest_1 = (place_7 - (floor((place_7 / extent_2)) * extent_2));
+    return mix(place_7, mix(rest_1, (rest_1 + extent_2), lessThan(rest_1, vec2(0.0))), repeats);
 }
 
-BarchanReliefRay barchan_relief_ray(vec2 place_8, vec3 towards) {
-    bool local_1 = false;
+BarchanReliefRay barchan_relief_ray(vec2 place_8, vec3 towards_1) {
     bool local_2 = false;
     bool local_3 = false;
+    bool local_4 = false;
     vec2 spacing = _group_0_binding_0_fs[0].spacing;
     float _e6 = barchan_relief_thickness();
     float thickness = max(_e6, 0.0);
-    float level_1 = length(towards.xy);
-    float way = (thickness * ((abs(towards.x) * spacing.y) + (abs(towards.y) * spacing.x)));
-    if ((way <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards.z))) {
-        local_1 = (level_1 <= (BARCHAN_STEEPEST * towards.z));
-    } else {
-        local_1 = false;
-    }
-    bool is_short = local_1;
-    bool is_near = all(lessThanEqual(abs(place_8), vec2(16777216.0)));
-    if ((towards.z > 0.0)) {
-        local_2 = is_short;
+    float level_2 = length(towards_1.xy);
+    float way = (thickness * ((abs(towards_1.x) * spacing.y) + (abs(towards_1.y) * spacing.x)));
+    if ((way <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards_1.z))) {
+        local_2 = (level_2 <= (BARCHAN_STEEPEST * towards_1.z));
     } else {
         local_2 = false;
     }
-    bool _e48 = local_2;
-    if (_e48) {
-        local_3 = is_near;
+    bool is_short = local_2;
+    bool is_near = all(lessThanEqual(abs(place_8), vec2(16777216.0)));
+    if ((towards_1.z > 0.0)) {
+        local_3 = is_short;
     } else {
         local_3 = false;
     }
-    bool _e52 = local_3;
+    bool _e48 = local_3;
+    if (_e48) {
+        local_4 = is_near;
+    } else {
+        local_4 = false;
+    }
+    bool _e52 = local_4;
     if (!(_e52)) {
         return BarchanReliefRay(vec2(0.0), vec2(0.0), vec3(0.0, 0.0, 1.0), 0.0, false);
     }
-    float run = (thickness / towards.z);
-    vec2 step_1 = (vec2((-(run) * towards.x), (run * towards.y)) / spacing);
+    float run = (thickness / towards_1.z);
+    vec2 step_1 = (vec2((-(run) * towards_1.x), (run * towards_1.y)) / spacing);
     vec2 _e74 = barchan_relief_in_tile(place_8);
-    return BarchanReliefRay(_e74, step_1, towards, (level_1 / towards.z), true);
+    return BarchanReliefRay(_e74, step_1, towards_1, (level_2 / towards_1.z), true);
 }
 
-BarchanReliefRay barchan_relief_ray_through(vec2 place_9, float depth, vec3 towards_1) {
-    BarchanReliefRay _e3 = barchan_relief_ray(place_9, towards_1);
+BarchanReliefRay barchan_relief_ray_through(vec2 place_9, float depth, vec3 towards_2) {
+    BarchanReliefRay _e3 = barchan_relief_ray(place_9, towards_2);
     if (!(_e3.is_valid)) {
         return _e3;
     }
-    BarchanReliefRay _e10 = barchan_relief_ray((_e3.place - (depth * _e3.step_)), towards_1);
+    BarchanReliefRay _e10 = barchan_relief_ray((_e3.place - (depth * _e3.step_)), towards_2);
     return _e10;
 }
 
@@ -414,11 +465,11 @@ float barchan_relief_gap(BarchanReliefRay ray_7, float depth_5) {
 }
 
 float barchan_relief_first_zero(float g0_, float g1_, float c) {
-    bool local_4 = false;
     bool local_5 = false;
     bool local_6 = false;
-    float s = 1.0;
     bool local_7 = false;
+    float s = 1.0;
+    bool local_8 = false;
     if ((g0_ <= 0.0)) {
         return 0.0;
     }
@@ -426,22 +477,22 @@ float barchan_relief_first_zero(float g0_, float g1_, float c) {
     float discriminant = ((b * b) - ((4.0 * c) * g0_));
     if ((g1_ > 0.0)) {
         if (!((c <= 0.0))) {
-            local_5 = (b >= 0.0);
-        } else {
-            local_5 = true;
-        }
-        bool _e25 = local_5;
-        if (!(_e25)) {
-            local_6 = (discriminant < 0.0);
+            local_6 = (b >= 0.0);
         } else {
             local_6 = true;
         }
-        bool _e32 = local_6;
-        local_4 = _e32;
+        bool _e25 = local_6;
+        if (!(_e25)) {
+            local_7 = (discriminant < 0.0);
+        } else {
+            local_7 = true;
+        }
+        bool _e32 = local_7;
+        local_5 = _e32;
     } else {
-        local_4 = false;
+        local_5 = false;
     }
-    bool _e34 = local_4;
+    bool _e34 = local_5;
     if (_e34) {
         return -1.0;
     }
@@ -453,11 +504,11 @@ float barchan_relief_first_zero(float g0_, float g1_, float c) {
     }
     if ((g1_ > 0.0)) {
         float _e55 = s;
-        local_7 = (_e55 > 1.0);
+        local_8 = (_e55 > 1.0);
     } else {
-        local_7 = false;
+        local_8 = false;
     }
-    bool _e59 = local_7;
+    bool _e59 = local_8;
     if (_e59) {
         return -1.0;
     }
@@ -476,16 +527,16 @@ float barchan_relief_hit(BarchanReliefRay ray_8, ivec2 cell_2, vec4 corners_2, f
 }
 
 BarchanReliefLeft barchan_relief_leave(BarchanReliefRay ray_9, BarchanStart start_4, float step_) {
-    bool local_8 = false;
+    bool local_9 = false;
     float inside = 0.0;
     int fetches = 1;
     float depth_9 = ((start_4.depth > 0.0) ? min(start_4.depth, 1.0) : 0.0);
     if (!(start_4.is_proven)) {
-        local_8 = (depth_9 == 0.0);
+        local_9 = (depth_9 == 0.0);
     } else {
-        local_8 = true;
+        local_9 = true;
     }
-    bool _e18 = local_8;
+    bool _e18 = local_9;
     if (_e18) {
         return BarchanReliefLeft(depth_9, depth_9, false, 0);
     }
@@ -574,18 +625,18 @@ float barchan_relief_bisect(BarchanReliefRay ray_12, float before, float behind)
 
 float barchan_relief_cone_step(BarchanReliefRay ray_13, float gap, float ratio) {
     float part_1 = 1.0;
-    bool local_9 = false;
+    bool local_10 = false;
     if ((ray_13.tangent > 0.0)) {
         part_1 = ((ratio > 0.0) ? (ratio / (ray_13.tangent + ratio)) : 0.0);
     }
     float _e15 = part_1;
     if ((gap > 0.0)) {
         float _e23 = part_1;
-        local_9 = (_e23 > 0.0);
+        local_10 = (_e23 > 0.0);
     } else {
-        local_9 = false;
+        local_10 = false;
     }
-    bool _e27 = local_9;
+    bool _e27 = local_10;
     return (_e27 ? min((gap * _e15), 1.0) : 0.0);
 }
 
@@ -594,7 +645,7 @@ BarchanFound barchan_relief_search(BarchanReliefRay ray_14, BarchanStart start_5
     float outside_1 = 0.0;
     float inside_2 = 0.0;
     int turn = 0;
-    bool local_10 = false;
+    bool local_11 = false;
     BarchanReliefLeft _e3 = barchan_relief_leave(ray_14, start_5, BARCHAN_STEP_BACK);
     fetches_1 = (start_5.fetches + ivec2(_e3.fetches, 0));
     outside_1 = _e3.outside;
@@ -612,11 +663,11 @@ BarchanFound barchan_relief_search(BarchanReliefRay ray_14, BarchanStart start_5
             int _e19 = turn;
             if ((_e19 < BARCHAN_MOST_TURNS)) {
                 float _e24 = inside_2;
-                local_10 = (_e24 < 1.0);
+                local_11 = (_e24 < 1.0);
             } else {
-                local_10 = false;
+                local_11 = false;
             }
-            bool _e28 = local_10;
+            bool _e28 = local_11;
             if (_e28) {
             } else {
                 break;
@@ -664,20 +715,20 @@ vec2 barchan_probe_place(vec4 position_2) {
     return (_e3 + (floor(position_2.xy) * _e8));
 }
 
-bool barchan_relief_in_shadow(vec2 place_10, float depth_7, vec3 towards_2, float tolerance) {
-    bool local_11 = false;
-    BarchanReliefRay _e4 = barchan_relief_ray_through(place_10, depth_7, towards_2);
+bool barchan_relief_in_shadow(vec2 place_10, float depth_7, vec3 towards_3, float tolerance) {
+    bool local_12 = false;
+    BarchanReliefRay _e4 = barchan_relief_ray_through(place_10, depth_7, towards_3);
     if (!(_e4.is_valid)) {
         return true;
     }
     float clear = (depth_7 - tolerance);
     BarchanStart _e9 = barchan_relief_start(_e4);
     if (_e9.is_proven) {
-        local_11 = (_e9.depth >= clear);
+        local_12 = (_e9.depth >= clear);
     } else {
-        local_11 = false;
+        local_12 = false;
     }
-    bool _e16 = local_11;
+    bool _e16 = local_12;
     if (_e16) {
         return false;
     }

@@ -31,6 +31,17 @@ struct BarchanTable {
 struct BarchanTables {
     BarchanTable inner[12];
 };
+struct BarchanTangentLight {
+    float height;
+    float level;
+    metal::float2 direction;
+    float azimuth;
+    float stretch;
+};
+struct BarchanGradients {
+    metal::float3 of_u;
+    metal::float3 of_v;
+};
 struct BarchanReliefRay {
     metal::float2 place;
     metal::float2 step;
@@ -99,7 +110,7 @@ float barchan_arcsine(
     float square = is_steep ? (0.5 * (1.0 - size)) : (size * size);
     float root = is_steep ? metal::sqrt(square) : size;
     float series = ((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root;
-    float angle_1 = is_steep ? (1.5707964 - (2.0 * series)) : series;
+    float angle_1 = is_steep ? (1.5707963 - (2.0 * series)) : series;
     return (sine < 0.0) ? -(angle_1) : angle_1;
 }
 
@@ -194,10 +205,10 @@ metal::int2 barchan_inside(
     uint first = barchan_tables.inner[table].first_level;
     metal::float2 _e10 = barchan_tables.inner[table].extent;
     metal::int2 whole = naga_f2i32(_e10);
-    metal::int2 extent = metal::max(whole >> metal::uint2(first + static_cast<uint>(level)), metal::int2(1));
+    metal::int2 extent_1 = metal::max(whole >> metal::uint2(first + static_cast<uint>(level)), metal::int2(1));
     uint edges = barchan_tables.inner[table].edges;
-    metal::int2 repeated = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(place, extent)) + as_type<metal::uint2>(extent)), extent);
-    metal::int2 clamped = metal::clamp(place, metal::int2(0), as_type<metal::int2>(as_type<metal::uint2>(extent) - as_type<metal::uint2>(metal::int2(1))));
+    metal::int2 repeated = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(place, extent_1)) + as_type<metal::uint2>(extent_1)), extent_1);
+    metal::int2 clamped = metal::clamp(place, metal::int2(0), as_type<metal::int2>(as_type<metal::uint2>(extent_1) - as_type<metal::uint2>(metal::int2(1))));
     metal::int2 _e41 = barchan_chosen(clamped, repeated, metal::bool2((edges & 1u) != 0u, (edges & 2u) != 0u));
     return _e41;
 }
@@ -385,6 +396,64 @@ metal::float2 barchan_relaxed_cone_map_at(
     return _e18;
 }
 
+BarchanGradients barchan_gradients(
+    metal::float3 along_u,
+    metal::float3 along_v
+) {
+    metal::float3 area = metal::cross(along_u, along_v);
+    float area_squared = metal::dot(area, area);
+    if (!((area_squared > 0.0))) {
+        return BarchanGradients {metal::float3(0.0), metal::float3(0.0)};
+    }
+    return BarchanGradients {metal::cross(along_v, area) / metal::float3(area_squared), metal::cross(area, along_u) / metal::float3(area_squared)};
+}
+
+metal::float2 barchan_texture_step(
+    metal::float3 along_u_1,
+    metal::float3 along_v_1,
+    metal::float3 vector
+) {
+    BarchanGradients _e3 = barchan_gradients(along_u_1, along_v_1);
+    return metal::float2(metal::dot(vector, _e3.of_u), metal::dot(vector, _e3.of_v));
+}
+
+metal::float3 barchan_bump_normal(
+    metal::float3 along_u_2,
+    metal::float3 along_v_2,
+    metal::float3 normal,
+    metal::float2 per_uv
+) {
+    BarchanGradients _e4 = barchan_gradients(along_u_2, along_v_2);
+    return metal::normalize((normal - (per_uv.x * _e4.of_u)) - (per_uv.y * _e4.of_v));
+}
+
+BarchanTangentLight barchan_tangent_light(
+    metal::float3 along_u_3,
+    metal::float3 along_v_3,
+    metal::float3 normal_1,
+    metal::float3 towards,
+    metal::float2 extent
+) {
+    bool local_1 = {};
+    float height_1 = metal::dot(towards, normal_1);
+    metal::float3 tangent_2 = towards - (normal_1 * height_1);
+    float level_1 = metal::length(tangent_2);
+    metal::float2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_2);
+    metal::float2 on_grid = _e9 * extent;
+    float grid_length = metal::length(on_grid);
+    if (level_1 > 0.0) {
+        local_1 = grid_length > 0.0;
+    } else {
+        local_1 = false;
+    }
+    bool _e19 = local_1;
+    if (!(_e19)) {
+        return BarchanTangentLight {height_1, level_1, _e9, 0.0, 1.0};
+    }
+    float _e24 = barchan_azimuth(on_grid);
+    return BarchanTangentLight {height_1, level_1, _e9, _e24, level_1 / grid_length};
+}
+
 float barchan_relief_thickness(
     constant BarchanTables& barchan_tables
 ) {
@@ -417,65 +486,65 @@ metal::float2 barchan_relief_in_tile(
     metal::float2 place_9,
     constant BarchanTables& barchan_tables
 ) {
-    metal::float2 extent_1 = barchan_tables.inner[0].extent;
+    metal::float2 extent_2 = barchan_tables.inner[0].extent;
     uint edges_1 = barchan_tables.inner[0].edges;
     metal::bool2 repeats = metal::bool2((edges_1 & 1u) != 0u, (edges_1 & 2u) != 0u);
-    metal::float2 rest_1 = place_9 - (metal::floor(place_9 / extent_1) * extent_1);
-    return metal::select(place_9, metal::select(rest_1, rest_1 + extent_1, rest_1 < metal::float2(0.0)), repeats);
+    metal::float2 rest_1 = place_9 - (metal::floor(place_9 / extent_2) * extent_2);
+    return metal::select(place_9, metal::select(rest_1, rest_1 + extent_2, rest_1 < metal::float2(0.0)), repeats);
 }
 
 BarchanReliefRay barchan_relief_ray(
     metal::float2 place_10,
-    metal::float3 towards,
+    metal::float3 towards_1,
     constant BarchanTables& barchan_tables
 ) {
-    bool local_1 = {};
     bool local_2 = {};
     bool local_3 = {};
+    bool local_4 = {};
     metal::float2 spacing = barchan_tables.inner[0].spacing;
     float _e6 = barchan_relief_thickness(barchan_tables);
     float thickness = metal::max(_e6, 0.0);
-    float level_1 = metal::length(towards.xy);
-    float way = thickness * ((metal::abs(towards.x) * spacing.y) + (metal::abs(towards.y) * spacing.x));
-    if (way <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards.z)) {
-        local_1 = level_1 <= (BARCHAN_STEEPEST * towards.z);
-    } else {
-        local_1 = false;
-    }
-    bool is_short = local_1;
-    bool is_near = metal::all(metal::abs(place_10) <= metal::float2(16777216.0));
-    if (towards.z > 0.0) {
-        local_2 = is_short;
+    float level_2 = metal::length(towards_1.xy);
+    float way = thickness * ((metal::abs(towards_1.x) * spacing.y) + (metal::abs(towards_1.y) * spacing.x));
+    if (way <= (((BARCHAN_LONGEST_WAY * spacing.x) * spacing.y) * towards_1.z)) {
+        local_2 = level_2 <= (BARCHAN_STEEPEST * towards_1.z);
     } else {
         local_2 = false;
     }
-    bool _e48 = local_2;
-    if (_e48) {
-        local_3 = is_near;
+    bool is_short = local_2;
+    bool is_near = metal::all(metal::abs(place_10) <= metal::float2(16777216.0));
+    if (towards_1.z > 0.0) {
+        local_3 = is_short;
     } else {
         local_3 = false;
     }
-    bool _e52 = local_3;
+    bool _e48 = local_3;
+    if (_e48) {
+        local_4 = is_near;
+    } else {
+        local_4 = false;
+    }
+    bool _e52 = local_4;
     if (!(_e52)) {
         return BarchanReliefRay {metal::float2(0.0), metal::float2(0.0), metal::float3(0.0, 0.0, 1.0), 0.0, false};
     }
-    float run = thickness / towards.z;
-    metal::float2 step_1 = metal::float2(-(run) * towards.x, run * towards.y) / spacing;
+    float run = thickness / towards_1.z;
+    metal::float2 step_1 = metal::float2(-(run) * towards_1.x, run * towards_1.y) / spacing;
     metal::float2 _e74 = barchan_relief_in_tile(place_10, barchan_tables);
-    return BarchanReliefRay {_e74, step_1, towards, level_1 / towards.z, true};
+    return BarchanReliefRay {_e74, step_1, towards_1, level_2 / towards_1.z, true};
 }
 
 BarchanReliefRay barchan_relief_ray_through(
     metal::float2 place_11,
     float depth,
-    metal::float3 towards_1,
+    metal::float3 towards_2,
     constant BarchanTables& barchan_tables
 ) {
-    BarchanReliefRay _e3 = barchan_relief_ray(place_11, towards_1, barchan_tables);
+    BarchanReliefRay _e3 = barchan_relief_ray(place_11, towards_2, barchan_tables);
     if (!(_e3.is_valid)) {
         return _e3;
     }
-    BarchanReliefRay _e10 = barchan_relief_ray(_e3.place - (depth * _e3.step), towards_1, barchan_tables);
+    BarchanReliefRay _e10 = barchan_relief_ray(_e3.place - (depth * _e3.step), towards_2, barchan_tables);
     return _e10;
 }
 
@@ -591,11 +660,11 @@ float barchan_relief_first_zero(
     float g1_,
     float c
 ) {
-    bool local_4 = {};
     bool local_5 = {};
     bool local_6 = {};
-    float s = 1.0;
     bool local_7 = {};
+    float s = 1.0;
+    bool local_8 = {};
     if (g0_ <= 0.0) {
         return 0.0;
     }
@@ -603,22 +672,22 @@ float barchan_relief_first_zero(
     float discriminant = (b * b) - ((4.0 * c) * g0_);
     if (g1_ > 0.0) {
         if (!((c <= 0.0))) {
-            local_5 = b >= 0.0;
-        } else {
-            local_5 = true;
-        }
-        bool _e25 = local_5;
-        if (!(_e25)) {
-            local_6 = discriminant < 0.0;
+            local_6 = b >= 0.0;
         } else {
             local_6 = true;
         }
-        bool _e32 = local_6;
-        local_4 = _e32;
+        bool _e25 = local_6;
+        if (!(_e25)) {
+            local_7 = discriminant < 0.0;
+        } else {
+            local_7 = true;
+        }
+        bool _e32 = local_7;
+        local_5 = _e32;
     } else {
-        local_4 = false;
+        local_5 = false;
     }
-    bool _e34 = local_4;
+    bool _e34 = local_5;
     if (_e34) {
         return -1.0;
     }
@@ -630,11 +699,11 @@ float barchan_relief_first_zero(
     }
     if (g1_ > 0.0) {
         float _e55 = s;
-        local_7 = _e55 > 1.0;
+        local_8 = _e55 > 1.0;
     } else {
-        local_7 = false;
+        local_8 = false;
     }
-    bool _e59 = local_7;
+    bool _e59 = local_8;
     if (_e59) {
         return -1.0;
     }
@@ -665,16 +734,16 @@ BarchanReliefLeft barchan_relief_leave(
     constant BarchanTables& barchan_tables,
     metal::texture2d<float, metal::access::sample> barchan_height_texels
 ) {
-    bool local_8 = {};
+    bool local_9 = {};
     float inside = {};
     int fetches = 1;
     float depth_9 = (start_4.depth > 0.0) ? metal::min(start_4.depth, 1.0) : 0.0;
     if (!(start_4.is_proven)) {
-        local_8 = depth_9 == 0.0;
+        local_9 = depth_9 == 0.0;
     } else {
-        local_8 = true;
+        local_9 = true;
     }
-    bool _e18 = local_8;
+    bool _e18 = local_9;
     if (_e18) {
         return BarchanReliefLeft {depth_9, depth_9, false, {}, 0};
     }
@@ -719,17 +788,17 @@ int barchan_relief_ring(
     float tangent_1,
     constant BarchanTables& barchan_tables
 ) {
-    bool local_9 = {};
+    bool local_10 = {};
     float part_1 = {};
     uint _e4 = barchan_tables.inner[8].rings;
     float rings = static_cast<float>(_e4);
     float greatest = barchan_tables.inner[8].max_tangent;
     if (tangent_1 >= 0.0) {
-        local_9 = tangent_1 < greatest;
+        local_10 = tangent_1 < greatest;
     } else {
-        local_9 = false;
+        local_10 = false;
     }
-    bool _e16 = local_9;
+    bool _e16 = local_10;
     if (!(_e16)) {
         return -1;
     }
@@ -753,8 +822,8 @@ int barchan_relief_azimuth_cell(
     float azimuth,
     constant BarchanTables& barchan_tables
 ) {
-    bool local_10 = {};
     bool local_11 = {};
+    bool local_12 = {};
     uint _e4 = barchan_tables.inner[8].azimuths;
     int count = static_cast<int>(_e4);
     float step_2 = barchan_tables.inner[8].azimuth_step;
@@ -765,16 +834,16 @@ int barchan_relief_azimuth_cell(
     if (step_2 > 0.0) {
         uint _e32 = barchan_tables.inner[8].is_circle;
         if (!((_e32 != 0u))) {
-            local_11 = offset < span;
+            local_12 = offset < span;
         } else {
-            local_11 = true;
+            local_12 = true;
         }
-        bool _e40 = local_11;
-        local_10 = _e40;
+        bool _e40 = local_12;
+        local_11 = _e40;
     } else {
-        local_10 = false;
+        local_11 = false;
     }
-    bool _e42 = local_10;
+    bool _e42 = local_11;
     if (_e42) {
         return naga_mod(naga_f2i32((offset / step_2) + 0.5), metal::max(count, 1));
     }
@@ -829,24 +898,24 @@ BarchanStart barchan_relief_start(
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_hemisphere_texels
 ) {
-    bool local_12 = {};
     bool local_13 = {};
+    bool local_14 = {};
     BarchanStart top = BarchanStart {0.0, true, {}, metal::int2(0)};
     metal::int2 _e6 = barchan_relief_direction_cell(ray_11, barchan_tables);
     metal::float2 _e11 = barchan_relief_in_tile(ray_11.place + metal::float2(0.5), barchan_tables);
     metal::float2 size_3 = barchan_tables.inner[0].extent;
     if (!(metal::any(_e6 < metal::int2(0)))) {
-        local_12 = metal::any(_e11 < metal::float2(0.0));
-    } else {
-        local_12 = true;
-    }
-    bool _e28 = local_12;
-    if (!(_e28)) {
-        local_13 = metal::any(_e11 > size_3);
+        local_13 = metal::any(_e11 < metal::float2(0.0));
     } else {
         local_13 = true;
     }
-    bool _e35 = local_13;
+    bool _e28 = local_13;
+    if (!(_e28)) {
+        local_14 = metal::any(_e11 > size_3);
+    } else {
+        local_14 = true;
+    }
+    bool _e35 = local_14;
     if (_e35) {
         return top;
     }
@@ -859,11 +928,11 @@ BarchanStart barchan_relief_start(
     if (_e61 == 2u) {
         return BarchanStart {_e57, true, {}, metal::int2(0, 1)};
     }
-    metal::float2 level_2 = metal::float3(ray_11.towards).xy / metal::float2(ray_11.towards[2]);
+    metal::float2 level_3 = metal::float3(ray_11.towards).xy / metal::float2(ray_11.towards[2]);
     float _e76 = barchan_relief_ring_edge(_e6.x, barchan_tables);
     metal::float2 _e78 = barchan_relief_azimuth_direction(_e6.y, barchan_tables);
-    float stored_6 = _e76 * metal::dot(_e78, level_2);
-    return BarchanStart {metal::clamp((_e57 * (1.0 + stored_6)) / (1.0 + metal::dot(level_2, level_2)), 0.0, 1.0), false, {}, metal::int2(0, 1)};
+    float stored_6 = _e76 * metal::dot(_e78, level_3);
+    return BarchanStart {metal::clamp((_e57 * (1.0 + stored_6)) / (1.0 + metal::dot(level_3, level_3)), 0.0, 1.0), false, {}, metal::int2(0, 1)};
 }
 
 float barchan_relief_sampled_gap(
@@ -927,18 +996,18 @@ float barchan_relief_cone_step(
     float ratio
 ) {
     float part_2 = 1.0;
-    bool local_14 = {};
+    bool local_15 = {};
     if (ray_14.tangent > 0.0) {
         part_2 = (ratio > 0.0) ? (ratio / (ray_14.tangent + ratio)) : 0.0;
     }
     float _e15 = part_2;
     if (gap > 0.0) {
         float _e23 = part_2;
-        local_14 = _e23 > 0.0;
+        local_15 = _e23 > 0.0;
     } else {
-        local_14 = false;
+        local_15 = false;
     }
-    bool _e27 = local_14;
+    bool _e27 = local_15;
     return _e27 ? metal::min(gap * _e15, 1.0) : 0.0;
 }
 
@@ -954,7 +1023,7 @@ BarchanFound barchan_relief_search(
     float outside_1 = {};
     float inside_2 = {};
     int turn = 0;
-    bool local_15 = {};
+    bool local_16 = {};
     BarchanReliefLeft _e3 = barchan_relief_leave(ray_15, start_5, BARCHAN_STEP_BACK, barchan_tables, barchan_height_texels);
     fetches_1 = as_type<metal::int2>(as_type<metal::uint2>(start_5.fetches) + as_type<metal::uint2>(metal::int2(_e3.fetches, 0)));
     outside_1 = _e3.outside;
@@ -972,11 +1041,11 @@ BarchanFound barchan_relief_search(
             int _e19 = turn;
             if (_e19 < BARCHAN_MOST_TURNS) {
                 float _e24 = inside_2;
-                local_15 = _e24 < 1.0;
+                local_16 = _e24 < 1.0;
             } else {
-                local_15 = false;
+                local_16 = false;
             }
-            bool _e28 = local_15;
+            bool _e28 = local_16;
             if (_e28) {
             } else {
                 break;
@@ -1037,7 +1106,7 @@ metal::float2 barchan_probe_place(
 bool barchan_relief_in_shadow(
     metal::float2 place_12,
     float depth_7,
-    metal::float3 towards_2,
+    metal::float3 towards_3,
     float tolerance,
     constant BarchanTables& barchan_tables,
     metal::sampler barchan_sampler,
@@ -1045,19 +1114,19 @@ bool barchan_relief_in_shadow(
     metal::texture2d_array<float, metal::access::sample> barchan_hemisphere_texels,
     metal::texture2d<float, metal::access::sample> barchan_relaxed_cone_map_texels
 ) {
-    bool local_16 = {};
-    BarchanReliefRay _e4 = barchan_relief_ray_through(place_12, depth_7, towards_2, barchan_tables);
+    bool local_17 = {};
+    BarchanReliefRay _e4 = barchan_relief_ray_through(place_12, depth_7, towards_3, barchan_tables);
     if (!(_e4.is_valid)) {
         return true;
     }
     float clear = depth_7 - tolerance;
     BarchanStart _e9 = barchan_relief_start(_e4, barchan_tables, barchan_hemisphere_texels);
     if (_e9.is_proven) {
-        local_16 = _e9.depth >= clear;
+        local_17 = _e9.depth >= clear;
     } else {
-        local_16 = false;
+        local_17 = false;
     }
-    bool _e16 = local_16;
+    bool _e16 = local_17;
     if (_e16) {
         return false;
     }

@@ -6,7 +6,8 @@ use std::f64::consts::TAU;
 
 use barchan_asset::{CurvatureColumn, Encoding, Semantic, TextureDescriptor, Wrap};
 use barchan_wgpu::{
-    DeviceLimits, PARAMETER_BYTES, Reader, ReliefSearch, Selection, TablePart, Technique, TexturePlan, UploadPlan,
+    DeviceLimits, PARAMETER_BYTES, Reader, ReliefSearch, Selection, Shader, ShaderOptions, TablePart, Technique,
+    TexturePlan, UploadPlan,
 };
 use support::{accepted, carried_out, file, horizon, plan, stored, vector};
 
@@ -136,6 +137,19 @@ fn an_arc_ends_where_the_file_ends_it() {
     check_layers(&reader, &plan(&reader, &selection(2)).textures()[0]);
     let message = UploadPlan::new(&reader, &selection(3), &DeviceLimits::WEBGPU).unwrap_err().to_string();
     assert_eq!(message, "table HORZ: number of azimuths is 3; 1 to 2 is accepted");
+}
+
+#[test]
+fn parts_that_do_not_go_together_are_refused_by_the_shader() {
+    let bytes = vector("horizon-distance-f16");
+    let reader = Reader::open(&bytes).unwrap();
+    let compose = |selection: Selection| {
+        Shader::compose(&plan(&reader, &selection), &[Technique::Penumbra], &ShaderOptions::default())
+    };
+    assert!(compose(Selection::everything().with_azimuths(3, 2)).is_ok());
+    let part = TablePart { azimuths: Some((3, 2)), ..TablePart::default() };
+    let error = compose(Selection::everything().with_part(Semantic::HorizonDistance, part)).unwrap_err();
+    assert_eq!(error.to_string(), "penumbra needs the same azimuths of the tables DIST and HORZ; theirs differ");
 }
 
 fn tables(bytes: &[u8], techniques: &[Technique]) -> Vec<Semantic> {

@@ -45,13 +45,9 @@ fn fragments(in: Evaluated) -> @location(0) vec4<f32> {{
     let bytes: Vec<u8> = inputs.as_flattened().as_flattened().iter().flat_map(|number| number.to_le_bytes()).collect();
     let buffer = vertex_buffer(&bytes);
     let format = wgpu::VertexFormat::Float32x4;
-    let attributes =
-        [0, 1, 2].map(|k| wgpu::VertexAttribute { format, offset: 16 * u64::from(k), shader_location: k });
-    let layout = wgpu::VertexBufferLayout {
-        array_stride: 48,
-        step_mode: wgpu::VertexStepMode::Vertex,
-        attributes: &attributes,
-    };
+    let attributes = [0, 1, 2].map(|k| wgpu::VertexAttribute { format, offset: 16 * u64::from(k), shader_location: k });
+    let layout =
+        wgpu::VertexBufferLayout { array_stride: 48, step_mode: wgpu::VertexStepMode::Vertex, attributes: &attributes };
     let drawing = Drawing {
         stages: &stages,
         topology: wgpu::PrimitiveTopology::PointList,
@@ -128,7 +124,9 @@ impl Drawing<'_> {
         let bytes = read_back.slice(..).get_mapped_range().unwrap().to_vec();
         let rows = bytes.chunks_exact(row_bytes as usize).map(|row| &row[..16 * width as usize]);
         let number = |bytes: &[u8]| f32::from_le_bytes(bytes.try_into().unwrap());
-        Ok(rows.flat_map(|row| row.chunks_exact(16).map(|pixel| [0, 4, 8, 12].map(|k| number(&pixel[k..k + 4])))).collect())
+        Ok(rows
+            .flat_map(|row| row.chunks_exact(16).map(|pixel| [0, 4, 8, 12].map(|k| number(&pixel[k..k + 4]))))
+            .collect())
     }
 
     fn pipeline(

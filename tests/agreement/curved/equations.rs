@@ -26,7 +26,7 @@ pub(super) fn least() -> &'static Loaded {
     })
 }
 
-/// Numbers of the first channel against what was expected of each input, in one line of pixels.
+/// One of the four numbers against what was expected of each input, in one line of pixels.
 pub(super) fn agree_in_a_line(name: &str, found: &[[f32; 4]], which: usize, expected: &[f64], tolerance: f64) -> f64 {
     agree(name, (expected.len() as u32, 1), &numbers(found, which), expected, tolerance, 0.0)
 }
@@ -158,7 +158,8 @@ fn the_smooth_surface_hides_what_lies_beyond_its_own_horizon() {
     }
     let body = "let slope = barchan_smooth_slope(barchan_ground(a.x, 1.0, a.y), a.z);
     return vec4<f32>(barchan_arctangent(slope), 0.0, 0.0, 0.0);";
-    let inputs = cases.iter().map(|&(curvature, lowest, height)| [[curvature, lowest, height, 0.0], [0.0; 4], [0.0; 4]]);
+    let inputs =
+        cases.iter().map(|&(curvature, lowest, height)| [[curvature, lowest, height, 0.0], [0.0; 4], [0.0; 4]]);
     let found = evaluate(least(), body, &inputs.collect::<Vec<_>>());
     let expected = |&(curvature, lowest, height): &(f32, f32, f32)| {
         let [curvature, lowest, height] = [curvature, lowest, height].map(f64::from);
@@ -195,7 +196,8 @@ fn curvature_along_a_direction_is_that_of_closed_forms() {
     eprintln!("closed forms: {worst:e}");
 }
 
-const CURVATURE: &str = "return vec4<f32>(barchan_curvature_along(a.xyz, b.xyz, vec2<f32>(a.w, b.w)) / c.x, 0.0, 0.0, 0.0);";
+const CURVATURE: &str =
+    "return vec4<f32>(barchan_curvature_along(a.xyz, b.xyz, vec2<f32>(a.w, b.w)) / c.x, 0.0, 0.0, 0.0);";
 
 fn forms_along(first: [f64; 3], second: [f64; 3], [du, dv]: [f64; 2], unit: f64) -> [[f32; 4]; 3] {
     let with = |[x, y, z]: [f64; 3], w: f64| [x, y, z, w].map(|number| number as f32);
@@ -208,7 +210,8 @@ fn without_a_direction_it_is_the_mean_and_without_an_area_flat() {
     let flat = FundamentalForms { first: [0.0; 3], second: [1.0, 0.0, 1.0] };
     let line = FundamentalForms { first: [1.0, 1.0, 1.0], second: [1.0, 0.0, 1.0] };
     // Along (1, −1) a chart folded into a line has no length.
-    let cases = [(cylinder, [0.0, 0.0]), (flat, [0.0, 0.0]), (flat, [1.0, 0.0]), (line, [1.0, -1.0]), (line, [0.0, 2.0])];
+    let cases =
+        [(cylinder, [0.0, 0.0]), (flat, [0.0, 0.0]), (flat, [1.0, 0.0]), (line, [1.0, -1.0]), (line, [0.0, 2.0])];
     let inputs = cases.map(|(forms, direction)| forms_along(forms.first, forms.second, direction, 1.0));
     let expected = cases.map(|(forms, [du, dv])| forms.along(du, dv));
     assert_eq!(expected[1..], [0.0, 0.0, 0.0, 1.0]);

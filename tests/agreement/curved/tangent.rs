@@ -56,11 +56,8 @@ fn a_light_is_seen_alike_in_stretched_sheared_and_mirrored_charts() {
             EXTENT.0, EXTENT.1
         )
     };
-    let found = evaluate(
-        least(),
-        &light("vec4<f32>(light.height, light.level, light.azimuth, light.stretch)"),
-        &inputs,
-    );
+    let found =
+        evaluate(least(), &light("vec4<f32>(light.height, light.level, light.azimuth, light.stretch)"), &inputs);
     let of = |number: fn(&TangentLight) -> f64| expected.iter().map(number).collect::<Vec<_>>();
     eprintln!("height {:e}", agree_in_a_line("light_height", &found, 0, &of(|light| light.height), 2e-7));
     eprintln!("level {:e}", agree_in_a_line("light_level", &found, 1, &of(|light| light.level), 2e-7));

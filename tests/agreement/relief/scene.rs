@@ -22,7 +22,7 @@ use crate::support::{Loaded, grid, noise};
 const SPACING: (f64, f64) = (0.75, 1.25);
 
 /// Where rings of directions end.
-pub(crate) const MAX_POLAR: f64 = 80.0;
+const MAX_POLAR: f64 = 80.0;
 
 /// A relief to be searched.
 #[derive(Debug, Clone, Copy)]
@@ -33,6 +33,7 @@ pub(crate) struct Scene {
     pub(crate) encoding: Encoding,
     pub(crate) mode: DepthMode,
     pub(crate) spacing: RingSpacing,
+    pub(crate) azimuths: Azimuths,
 }
 
 /// Kinds of relief.
@@ -47,9 +48,6 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    pub(crate) const ALL: [Self; 6] =
-        [Self::Smooth, Self::Cobbles, Self::Spikes, Self::Walls, Self::Noise, Self::Flat];
-
     /// The height of a texel, 0 to 1.
     fn height(self, (width, height): (u32, u32), column: u32, row: u32) -> f32 {
         let turn = |index: u32, of: u32| (std::f64::consts::TAU * f64::from(index) / f64::from(of)) as f32;
@@ -67,13 +65,26 @@ impl Kind {
 }
 
 impl Scene {
+    /// Relief in which neighbours differ, of tables that lose nothing.
+    pub(crate) fn noise() -> Self {
+        Self {
+            kind: Kind::Noise,
+            size: (24, 19),
+            edge: Edge::Wrap,
+            encoding: Encoding::F32,
+            mode: DepthMode::Conservative,
+            spacing: RingSpacing::SquaredTangents,
+            azimuths: Azimuths::full_circle(6),
+        }
+    }
+
     /// All of its tables on the GPU.
     pub(crate) fn load(&self) -> Loaded {
         Loaded::of_tables(self.tables())
     }
 
     /// Tables of the heights as they are stored.
-    pub(crate) fn tables(&self) -> Vec<TextureTable> {
+    fn tables(&self) -> Vec<TextureTable> {
         let (heights, exec) = (self.heights(), Exec::new(1).unwrap());
         let view = HeightView::new(*heights.descriptor(), heights.payload()).unwrap();
         let samples = (0..self.size.1).flat_map(|row| view.table().row(0, row)).collect();
@@ -115,7 +126,7 @@ impl Scene {
     fn depths(&self, field: &HeightField, exec: &Exec) -> TextureTable {
         let directions = HemisphereDirections {
             rings: 5,
-            azimuths: Azimuths::full_circle(6),
+            azimuths: self.azimuths,
             spacing: self.spacing,
             max_polar_radians: MAX_POLAR.to_radians(),
         };

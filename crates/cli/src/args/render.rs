@@ -14,7 +14,9 @@ use super::words::{above_horizon, elevation, finite};
   barchan render relief.barchan --eye-elevation 35 --azimuth 200 -o relief.png
   barchan render relief.barchan --eye-elevation 35 --heat -o fetches.png
   barchan render relief.barchan --eye-azimuth 20 --search linear --start top --compare -o check.png
-  barchan render relief.barchan --eye-azimuth 0 --on sphere --tiles 8 -o ball.png")]
+  barchan render relief.barchan --eye-azimuth 0 --on sphere --tiles 8 -o ball.png
+  barchan render dunes.barchan --gpu -o dunes.png
+  barchan render relief.barchan --eye-elevation 35 --gpu --compare -o check.png")]
 pub(crate) struct RenderArguments {
     /// The .barchan file; it needs the height table, and that of the horizon or, with --ambient, of the sky. Seen from a side it needs
     /// the tables of its search
@@ -32,13 +34,17 @@ pub(crate) struct RenderArguments {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=64))]
     #[arg(conflicts_with = "eye")]
     pub(crate) scale: u32,
-    /// Put what is ray-traced and the difference beside it: red is too dark, blue too light
+    /// Put what is ray-traced and the difference beside it: red is too dark, blue too light. With --gpu, put the picture of the CPU, that
+    /// of the GPU and their difference side by side
     #[arg(long)]
     pub(crate) compare: bool,
     /// Light it by an overcast sky instead of a sun; the file needs sky_visibility, and uses bent_normal. Seen from a side it needs
     /// hemisphere
-    #[arg(long, conflicts_with_all = ["azimuth", "elevation", "compare"])]
+    #[arg(long, conflicts_with_all = ["azimuth", "elevation"])]
     pub(crate) ambient: bool,
+    /// Draw it by the GPU, real or software, through the composed shaders; the program must be built with the feature `gpu`
+    #[arg(long)]
+    pub(crate) gpu: bool,
     #[command(flatten)]
     pub(crate) view: ReliefViewArguments,
 }
@@ -72,7 +78,7 @@ pub(crate) struct ReliefViewArguments {
     #[arg(long, value_name = "START", requires = "eye", hide_possible_values = true)]
     pub(crate) start: Option<StartName>,
     /// Draw how often every pixel reads a table instead: linear search of 64 steps at the left, the chosen one at the right
-    #[arg(long, requires = "eye", conflicts_with_all = ["azimuth", "elevation", "compare", "ambient"])]
+    #[arg(long, requires = "eye", conflicts_with_all = ["azimuth", "elevation", "compare", "ambient", "gpu"])]
     pub(crate) heat: bool,
 }
 

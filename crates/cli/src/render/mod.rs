@@ -1,5 +1,7 @@
 //! `barchan render`: a picture that shows at once whether a bake is right.
 
+#[cfg(feature = "gpu")]
+mod gpu;
 mod relief;
 mod relief_report;
 mod search;
@@ -23,6 +25,10 @@ const GAP_PIXELS: u32 = 8;
 
 /// The most pixels drawn: a 16k square.
 const MAX_PIXELS: u64 = 1 << 28;
+
+/// To be said where the program was built without a GPU.
+const NO_GPU: &str = "--gpu: this program was built without the feature `gpu`; build it with \
+                      `cargo build --release --features gpu`, or leave --gpu out";
 
 #[derive(Serialize)]
 struct Report {
@@ -48,6 +54,10 @@ struct Comparison {
 }
 
 pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json: bool) -> Result<ExitStatus, Failure> {
+    if arguments.gpu && !cfg!(feature = "gpu") {
+        return Err(Failure::Usage(NO_GPU.to_owned()));
+    }
+    check_comparable(arguments)?;
     output::check_writable(&arguments.output, &arguments.file)?;
     let file = AssetFile::read(&arguments.file)?;
     if file.tables()? == [Table::Curvature] {
@@ -72,6 +82,11 @@ pub(crate) fn run(arguments: &RenderArguments, progress: ProgressStyleName, json
     check_covered(&file, &horizon, arguments.azimuth)?;
     let light = DirectionalLight::from_degrees(arguments.azimuth, arguments.elevation);
     let scene = Scene { pixels: pixels(&file, &surface, arguments.scale)?, surface: &surface, horizon, light };
+    #[cfg(feature = "gpu")]
+    if arguments.gpu {
+        let of_gpu = gpu::Scene::Sunlit { pixels: &scene.pixels, light: &scene.light, palette: Palette::SAND };
+        return gpu::run(&file, arguments, &of_gpu, || scene.lit(&scene.mask(&scene.pixels)), json);
+    }
     let display = ProgressDisplay::new(progress);
     let drawing = scene.draw(arguments.compare, &display);
     display.finish();
@@ -88,6 +103,15 @@ struct AmbientReport {
     width: u32,
     height: u32,
     mean_visibility: f64,
+}
+
+/// The light of an overcast sky is not ray-traced, so that there is nothing but another device to compare it with.
+fn check_comparable(arguments: &RenderArguments) -> Result<(), Failure> {
+    if arguments.ambient && arguments.compare && !arguments.gpu {
+        let advice = "leave one of them out, or compare CPU and GPU with --gpu";
+        return Err(Failure::Usage(format!("--ambient and --compare: an overcast sky is not ray-traced; {advice}")));
+    }
+    Ok(())
 }
 
 /// A picture under an overcast sky.
@@ -109,6 +133,13 @@ fn ambient(file: &AssetFile, arguments: &RenderArguments, json: bool) -> Result<
     }
     let (surface, sky) = (Surface::new(&heights), SkyLight::new(&visibility, bent_normal.as_ref()));
     let pixels = pixels(file, &surface, arguments.scale)?;
+    let drawn = || Picture::overcast(&pixels, &sky, &Palette::OVERCAST_SAND);
+    #[cfg(feature = "gpu")]
+    if arguments.gpu {
+        let has_bent_normal = bent_normal.is_some();
+        let scene = gpu::Scene::Overcast { pixels: &pixels, has_bent_normal, palette: Palette::OVERCAST_SAND };
+        return gpu::run(file, arguments, &scene, drawn, json);
+    }
     let shares = pixels.map(|x, y| sky.visibility(x, y));
     let report = AmbientReport {
         schema: "barchan.render_ambient/1",
@@ -118,7 +149,7 @@ fn ambient(file: &AssetFile, arguments: &RenderArguments, json: bool) -> Result<
         height: pixels.height,
         mean_visibility: shares.iter().sum::<f64>() / shares.len() as f64,
     };
-    output::write_whole(&arguments.output, &png::encode(&Picture::overcast(&pixels, &sky, &Palette::OVERCAST_SAND))?)?;
+    output::write_whole(&arguments.output, &png::encode(&drawn())?)?;
     console::present(&report, json, |report| {
         let AmbientReport { output, width, height, mean_visibility, .. } = report;
         let share = 100.0 * mean_visibility;
@@ -181,8 +212,7 @@ struct Drawing {
 
 impl Scene<'_> {
     fn draw(&self, compare: bool, display: &ProgressDisplay) -> Drawing {
-        let baked = HorizonShadow::new(&self.horizon, &self.light);
-        let mask = self.pixels.map(|x, y| baked.in_shadow(x, y));
+        let mask = self.mask(&self.pixels);
         let shadow_share = mask.iter().filter(|&&dark| dark).count() as f64 / mask.len() as f64;
         let picture = self.lit(&mask);
         if !compare {
@@ -195,12 +225,18 @@ impl Scene<'_> {
         let at_centres = match Pixels::one_per_texel(self.surface) {
             centres if centres == self.pixels => wrong,
             centres => {
-                let mask = centres.map(|x, y| baked.in_shadow(x, y));
+                let mask = self.mask(&centres);
                 MaskDisagreement::between(&trace(&traced, &centres, display), &mask)
             }
         };
         let comparison = Some(Comparison::new(wrong, at_centres));
         Drawing { picture: Picture::side_by_side(&pictures, GAP_PIXELS), shadow_share, comparison }
+    }
+
+    /// Where the horizon hides the sun.
+    fn mask(&self, pixels: &Pixels) -> Vec<bool> {
+        let baked = HorizonShadow::new(&self.horizon, &self.light);
+        pixels.map(|x, y| baked.in_shadow(x, y))
     }
 
     fn lit(&self, shadow: &[bool]) -> Picture {

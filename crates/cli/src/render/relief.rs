@@ -4,10 +4,12 @@ use barchan_asset::HeightView;
 use barchan_metrics::{MaskDisagreement, false_colour};
 use barchan_pipeline::Table;
 use barchan_shade::{
-    DepthMapStart, DirectionalLight, HemisphereOcclusion, HemisphereQuadrature, Palette, Picture, Relief, ReliefLight,
-    ReliefPixels, ReliefRoad, ReliefShadow, ReliefStage, SHADOW_TOLERANCE, StageEye, Surface, TracedRelief, heat_map,
+    DirectionalLight, HemisphereOcclusion, HemisphereQuadrature, Palette, Picture, Relief, ReliefLight, ReliefPixels,
+    ReliefRoad, ReliefShadow, ReliefStage, SHADOW_TOLERANCE, StageEye, Surface, TracedRelief, heat_map,
 };
 
+#[cfg(feature = "gpu")]
+use super::gpu;
 use super::relief_report::{Comparison, Cost, Heat, Report, Sun};
 use super::{GAP_PIXELS, agreement_colour, search};
 use crate::args::{BaseName, ProgressStyleName, RenderArguments, SearchName, StartName};
@@ -52,9 +54,14 @@ pub(super) fn run(
         relief,
         stage: stage(file, arguments, eye, &surface)?,
         road: ReliefRoad { depth_map: start, search: &*search },
-        occlusion: depth_map.as_ref(),
+        has_hemisphere: depth_map.is_some(),
         display: &display,
     };
+    #[cfg(feature = "gpu")]
+    if arguments.gpu {
+        let by_cpu = || scene.lit(&scene.look(&scene.road), &mut Report::default());
+        return gpu::run(file, arguments, &gpu::Scene::Relief(scene.of_gpu(name)), by_cpu, json);
+    }
     let seen = scene.look(&scene.road);
     let mut report = Report::new(arguments, eye, &seen, (name, start.is_some()));
     let picture = match () {
@@ -95,14 +102,27 @@ struct Scene<'a> {
     relief: Relief<'a>,
     stage: ReliefStage,
     road: ReliefRoad<'a>,
-    /// What the sky's light is dimmed by.
-    occlusion: Option<&'a DepthMapStart<'a>>,
+    /// Whether the sky's light is dimmed: without depth maps that takes long.
+    has_hemisphere: bool,
     display: &'a ProgressDisplay,
 }
 
 impl<'a> Scene<'a> {
     fn look(&self, road: &ReliefRoad<'_>) -> ReliefPixels<'a> {
-        ReliefPixels::new(&self.stage.camera, &*self.stage.base, &self.relief, road)
+        ReliefPixels::new(&self.stage.camera, self.stage.base.surface(), &self.relief, road)
+    }
+
+    /// What the GPU needs to know.
+    #[cfg(feature = "gpu")]
+    fn of_gpu(&self, search: SearchName) -> gpu::ReliefScene<'_> {
+        gpu::ReliefScene {
+            stage: &self.stage,
+            search,
+            from_map: self.road.depth_map.is_some(),
+            sun: (!self.arguments.ambient).then(|| self.sun()),
+            occlusion: self.has_hemisphere.then(occlusion_directions),
+            palette: self.palette(),
+        }
     }
 
     /// How often each pixel reads, by the baseline and as chosen.
@@ -162,7 +182,7 @@ impl<'a> Scene<'a> {
         match self.arguments.view.on {
             _ if self.arguments.ambient => Palette::OVERCAST_SAND,
             // As pictures from above: level ground in the sun is as bright at dawn as at noon.
-            BaseName::Plane => Palette { sun: sand.sun / self.sun().towards.z.max(0.12), ..sand },
+            BaseName::Plane => sand.exposed_for(&self.sun()),
             BaseName::Sphere => sand,
         }
     }
@@ -179,18 +199,25 @@ impl<'a> Scene<'a> {
         answers.iter().map(|answer| answer.is_some_and(|answer| answer.in_shadow)).collect()
     }
 
-    /// What part of the sky's light every pixel lacks, where a depth map can tell.
+    /// What part of the sky's light every pixel lacks, where there is a depth map.
     fn occlusion(&self, seen: &ReliefPixels<'_>) -> Option<Vec<f64>> {
-        let road = ReliefRoad { depth_map: Some(self.occlusion?), search: self.road.search };
-        let shadow = ReliefShadow { relief: self.relief, road, tolerance: SHADOW_TOLERANCE };
-        let (rings, azimuths) = OCCLUSION_DIRECTIONS;
-        let occlusion = HemisphereOcclusion::of_rays(HemisphereQuadrature::even(rings, azimuths), shadow);
+        if !self.has_hemisphere {
+            return None;
+        }
+        let shadow = ReliefShadow { relief: self.relief, road: self.road, tolerance: SHADOW_TOLERANCE };
+        let occlusion = HemisphereOcclusion::of_rays(occlusion_directions(), shadow);
         let mut rows = Rows::new(self.display, "occlusion", seen);
         Some(seen.map(&0.0, |pixel| {
             rows.step();
             seen.occlusion(pixel, &occlusion).share
         }))
     }
+}
+
+/// Where the sky is looked for.
+fn occlusion_directions() -> HemisphereQuadrature {
+    let (rings, azimuths) = OCCLUSION_DIRECTIONS;
+    HemisphereQuadrature::even(rings, azimuths)
 }
 
 /// Shows that work goes on, a row of pixels at a time.

@@ -66,7 +66,7 @@ pub(super) struct Comparison {
 }
 
 impl Cost {
-    fn of(fetches: impl Iterator<Item = Fetches> + Clone) -> Self {
+    pub(super) fn of(fetches: impl Iterator<Item = Fetches> + Clone) -> Self {
         let count = fetches.clone().count().max(1) as f64;
         let mean = |of: fn(Fetches) -> u32| fetches.clone().map(|all| u64::from(of(all))).sum::<u64>() as f64 / count;
         Self {
@@ -84,7 +84,7 @@ impl Cost {
         self.mean_height_fetches + self.mean_table_fetches
     }
 
-    fn words(&self) -> String {
+    pub(super) fn words(&self) -> String {
         let Self { mean_height_fetches, mean_table_fetches, greatest_fetches } = self;
         format!(
             "{} fetches a ray ({} of heights, {} of tables), {greatest_fetches} at most",

@@ -12,14 +12,14 @@ use crate::asset_file::{AssetFile, DecodedTable};
 use crate::failure::Failure;
 
 /// Steps of searches that know nothing of the relief.
-const STEPS: u32 = 64;
+pub(super) const STEPS: u32 = 64;
 
 /// Halvings that follow.
-const BISECTIONS: u32 = 10;
+pub(super) const BISECTIONS: u32 = 10;
 
 impl SearchName {
     /// The table that the search needs.
-    fn table(self) -> Option<Table> {
+    pub(super) fn table(self) -> Option<Table> {
         match self {
             Self::ConeSteps => Some(Table::ConeMap),
             Self::RelaxedConeSteps => Some(Table::RelaxedConeMap),

@@ -74,7 +74,7 @@ pub use ray::ReliefRay;
 pub use relaxed_cones::RelaxedConeSteps;
 pub use road::ReliefRoad;
 pub use shadow::{ReliefShadow, SHADOW_TOLERANCE, ShadowAnswer};
-pub use stage::{ReliefStage, StageEye};
+pub use stage::{ReliefStage, StageBase, StageEye};
 pub use surface::Relief;
 pub use traced::TracedRelief;
 pub use view::{ReliefLight, ReliefPixel, ReliefPixels, relief_direction};

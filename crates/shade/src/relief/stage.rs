@@ -11,11 +11,21 @@ use crate::{BaseSurface, Camera, DirectionalLight, Lens, Plane, Sphere, SphereCh
 const MARGIN: f64 = 1.04;
 
 /// A base surface for relief before a camera, whose rays are parallel.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReliefStage {
     /// What wears the relief.
-    pub base: Box<dyn BaseSurface>,
+    pub base: StageBase,
     /// What looks at it.
     pub camera: Camera,
+}
+
+/// What wears the relief of a stage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StageBase {
+    /// The plane z = 0.
+    Plane(Plane),
+    /// A ball round the origin.
+    Ball(Sphere),
 }
 
 /// From where a stage is seen.
@@ -46,7 +56,7 @@ impl ReliefStage {
             MARGIN * DVec2::new(seen(right), seen(up).max(1e-3 * seen(right)))
         };
         Self {
-            base: Box::new(Plane { chart: DMat2::from_diagonal(extent) }),
+            base: StageBase::Plane(Plane { chart: DMat2::from_diagonal(extent) }),
             camera: eye.camera((0.5 * extent).extend(0.0), view),
         }
     }
@@ -57,7 +67,7 @@ impl ReliefStage {
         let tile = DVec2::from(surface.extent());
         let radius = f64::from(tiles.max(1)) * tile.x / TAU;
         Self {
-            base: Box::new(Sphere { radius, hollow: false, chart: SphereChart::Geographic, tile }),
+            base: StageBase::Ball(Sphere { radius, hollow: false, chart: SphereChart::Geographic, tile }),
             camera: eye.camera(DVec3::ZERO, DVec2::splat(2.0 * MARGIN * radius)),
         }
     }
@@ -66,6 +76,17 @@ impl ReliefStage {
     #[must_use]
     pub fn repeats(surface: &Surface) -> bool {
         surface.heights().wrap() == (Wrap::Repeat, Wrap::Repeat)
+    }
+}
+
+impl StageBase {
+    /// The surface.
+    #[must_use]
+    pub fn surface(&self) -> &dyn BaseSurface {
+        match self {
+            Self::Plane(plane) => plane,
+            Self::Ball(sphere) => sphere,
+        }
     }
 }
 
@@ -81,9 +102,11 @@ impl StageEye {
     /// A camera that sees so much length across and down.
     fn camera(&self, target: DVec3, view: DVec2) -> Camera {
         let (towards, _, up) = self.axes();
+        // An eye above the plane z = 0 is above it in the lowest row of the picture, too.
+        let lowest = if towards.z > 0.0 { 0.5 * view.y * up.z / towards.z } else { 0.0 };
         let pixels = |length: f64| (f64::from(self.size) * length / view.max_element()).round().max(1.0) as u32;
         Camera {
-            eye: target + towards * (4.0 * view.element_sum()),
+            eye: target + towards * lowest.max(4.0 * view.element_sum()),
             target,
             up,
             lens: Lens::Orthographic { height: view.y },

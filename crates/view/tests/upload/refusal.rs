@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use barchan_asset::{Codec, Wrap, vectors};
+use barchan_view::Gpu;
 use barchan_wgpu::{DeviceLimits, GpuAsset, Reader, Selection, UploadError, UploadPlan};
 
 use crate::support::{file, gpu, heights, horizon, plan, small_gpu, upload, vector};
@@ -12,6 +13,12 @@ fn refused(result: Result<GpuAsset, UploadError>) -> String {
         UploadError::Device { reason } => reason,
         other => panic!("{other}"),
     }
+}
+
+/// The device is none the worse for what it refused.
+fn check_is_well(gpu: &Gpu) {
+    let bytes = file(vec![heights(&[1.0; 4], Wrap::Clamp)], Codec::Raw);
+    assert!(upload(gpu, &bytes, &plan(&bytes, &DeviceLimits::WEBGPU)).is_ok());
 }
 
 #[test]
@@ -63,9 +70,7 @@ fn a_compressed_section_that_does_not_decode_is_refused_by_name() {
     bytes[4096 + 256] ^= 0xFF;
     let UploadError::Read(error) = upload(&gpu, &bytes, &plan).unwrap_err() else { panic!() };
     assert!(error.to_string().starts_with("section HORZ: the zstd frame cannot be decoded"), "{error}");
-    // The device is none the worse for it.
-    let good = file(vec![heights(&[1.0; 4], Wrap::Clamp)], Codec::Raw);
-    assert!(upload(&gpu, &good, &self::plan(&good, &DeviceLimits::WEBGPU)).is_ok());
+    check_is_well(&gpu);
 }
 
 #[test]
@@ -108,4 +113,28 @@ fn an_upload_may_move_from_thread_to_thread() {
     let bytes = vector("sky-f16");
     let (reader, plan) = (Reader::open(&bytes).unwrap(), plan(&bytes, &DeviceLimits::WEBGPU));
     moves(GpuAsset::upload(&gpu.device, &gpu.queue, &reader, &plan));
+}
+
+/// A horizon that says it has 2³⁹ texels, in a frame of a few bytes.
+fn immense() -> Vec<u8> {
+    let (row, descriptor) = (128, 4096);
+    let mut bytes = vector("horizon-distance-u8-zstd");
+    let mut put = |at: usize, number: &[u8]| bytes[at..at + number.len()].copy_from_slice(number);
+    for (at, number) in [(4, 1 << 14), (8, 1 << 14), (12, 1_u32 << 11)] {
+        put(descriptor + at, &number.to_le_bytes());
+    }
+    put(descriptor + 112, &(std::f64::consts::TAU / 2048.0).to_le_bytes());
+    put(row + 32, &(1_u64 << 39).to_le_bytes());
+    vectors::reseal(&mut bytes);
+    bytes
+}
+
+#[test]
+fn a_table_that_there_is_no_memory_for_is_an_error_before_it_is_decoded() {
+    let gpu = gpu();
+    let bytes = immense();
+    let limits = DeviceLimits { max_2d: 1 << 14, max_layers: 1 << 11, ..DeviceLimits::WEBGPU };
+    let error = upload(&gpu, &bytes, &plan(&bytes, &limits)).unwrap_err();
+    assert!(matches!(error, UploadError::OutOfMemory | UploadError::Device { .. }), "{error}");
+    check_is_well(&gpu);
 }

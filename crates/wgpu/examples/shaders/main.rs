@@ -70,7 +70,6 @@ fn describe(techniques: &[Technique], shader: &Shader) {
     for binding in shader.bindings() {
         println!("@group({}) @binding({})  {}", binding.group, binding.binding, described(binding.kind));
     }
-    println!("\n{} lines of WGSL, import-free", shader.source().lines().count());
 }
 
 /// What is bound, in a few words.
@@ -99,7 +98,7 @@ fn files() -> Outcome<BTreeMap<String, Vec<u8>>> {
     }
     // The vertex stage is the same for all but for functions that it does not call.
     files.extend(shaders.first().map(Published::vertex_file));
-    files.insert("README.md".to_owned(), page::page(&shaders).into_bytes());
+    files.insert("README.md".to_owned(), page::page(&shaders)?.into_bytes());
     Ok(files)
 }
 

@@ -6,6 +6,7 @@ use barchan_asset::Semantic;
 use barchan_wgpu::{BindingKind, PARAMETER_BYTES, Shader, TABLE_BYTES};
 use naga::TypeInner;
 
+use crate::Outcome;
 use crate::functions::{Function, documented, fields};
 use crate::names;
 use crate::published::Published;
@@ -27,13 +28,13 @@ samplers. CI holds `.spv` against `spirv-val`, `.frag`, `.vert` and `.hlsl` agai
 Metal, which naga's own validator must do for.
 ";
 
-pub(crate) fn page(shaders: &[Published]) -> String {
+pub(crate) fn page(shaders: &[Published]) -> Outcome<String> {
     let mut page = HEAD.to_owned();
     shader_table(&mut page, shaders);
-    binding_table(&mut page, shaders);
+    binding_table(&mut page, shaders)?;
     uniform_tables(&mut page, shaders);
     function_lists(&mut page, shaders);
-    page
+    Ok(page)
 }
 
 /// Adds a line of text.
@@ -61,15 +62,16 @@ fn name(table: Semantic) -> &'static str {
 }
 
 /// What is bound at a number, in every language.
-fn binding_table(page: &mut String, shaders: &[Published]) {
+fn binding_table(page: &mut String, shaders: &[Published]) -> Outcome<()> {
     line!(
         page,
         "
 ## Bindings
 
-A shader binds those of its tables, and the uniform buffer of probes only for its probes. WGSL has them in group 0, SPIR-V in set 0.
-GLSL ES 3 has names instead of numbers, a texture has the name of its join with the sampler: linear, with the edges of the tables as
-wrap modes. `maximum_mip` and `hemisphere` are only ever loaded.
+A shader binds those of its tables, the sampler if it interpolates, and the uniform buffer of probes for its probes only. WGSL has them
+in group 0, SPIR-V in set 0, HLSL in space 0. GLSL ES 3 has names instead of numbers, those of fragment stages here; its textures are
+joined with the sampler, which is linear, with the edges of the tables as wrap modes. `maximum_mip` and `hemisphere` are only ever
+loaded. A hemisphere table may have more layers than a device has of a 2-D texture; it is a volume then, and `wgsl` prints its shader.
 
 | binding | what | WGSL | HLSL | Metal | GLSL ES 3 |
 |---|---|---|---|---|---|"
@@ -78,12 +80,15 @@ wrap modes. `maximum_mip` and `hemisphere` are only ever loaded.
     for published in shaders {
         for binding in published.shader.bindings() {
             let row = binding_row(published, binding.kind);
-            rows.entry(binding.binding).or_insert(row);
+            if rows.entry(binding.binding).or_insert_with(|| row.clone()) != &row {
+                return Err(format!("{} has binding {} in another way: {row}", published.name, binding.binding).into());
+            }
         }
     }
     for (number, row) in rows {
         line!(page, "| {number} | {row} |");
     }
+    Ok(())
 }
 
 fn binding_row(published: &Published, kind: BindingKind) -> String {
@@ -101,7 +106,7 @@ fn binding_row(published: &Published, kind: BindingKind) -> String {
     let register = between(&translations.hlsl, &format!("{variable} : register("), ")");
     let slot = between(&translations.msl, &format!("{variable} [["), "]]");
     let glsl = translations.fragments.iter().find_map(|fragment| fragment.names.get(&kind.number()));
-    let glsl = glsl.map_or_else(|| "in the textures".to_owned(), |name| format!("`{name}`"));
+    let glsl = glsl.map_or_else(|| "—".to_owned(), |name| format!("`{name}`"));
     format!("{what} | `{variable}: {wgsl}` | `{register}` | `{slot}` | {glsl}")
 }
 
@@ -170,7 +175,8 @@ fn function_lists(page: &mut String, shaders: &[Published]) {
 
 Places are in texels from the centre of texel (0, 0), rows downwards; directions are in the frame (u, v up the picture, height); angles
 are in radians. `barchan_T_texel(texel, layer)` is the decoded value of any table T, beyond its edges too; `barchan_T_at(place, layer)`
-is the value between texels, where they may be interpolated. A game calls those in bold, which the others are parts of."
+is the value between texels, in shaders that interpolate between those of T. A game calls those in bold; the others are what these are
+made of."
     );
     let called: Vec<_> = shaders.iter().flat_map(|shader| &shader.techniques).flat_map(|of| of.functions()).collect();
     let mut groups: Vec<&Vec<&str>> = Vec::new();

@@ -3,6 +3,7 @@
 mod bind;
 mod error;
 mod upload;
+mod vertex;
 mod words;
 mod writer;
 

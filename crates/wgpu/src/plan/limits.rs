@@ -1,5 +1,11 @@
 //! What a device can hold.
 
+use barchan_asset::Semantic;
+
+// Every WebGPU, WebGL 2 and Vulkan device samples 16 textures a stage, so all tables at once leave a game four of its own. Their
+// number needs no limit here, as long as there are no more kinds.
+const _: () = assert!(Semantic::ALL.len() <= 16);
+
 /// The limits and features of a device that decide what becomes of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct DeviceLimits {

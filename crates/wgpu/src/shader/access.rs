@@ -1,7 +1,6 @@
 //! The WGSL that reads one table.
 
-use barchan_asset::Filter;
-
+use super::Sampling;
 use crate::{Shape, TexturePlan};
 
 /// The sampler of all tables that are filtered.
@@ -13,10 +12,10 @@ pub(super) const SAMPLER: &str = "
 /// Its texture, and the functions that read it:
 /// - `barchan_T_before_transfer(texel, layer)`: scale · stored + bias of a texel, beyond the edges too;
 /// - `barchan_T_texel(texel, layer)`: its value;
-/// - `barchan_T_at(place, layer)`: the value between texels, for tables that may be interpolated.
+/// - `barchan_T_at(place, layer)`: the value between texels, by the way of `interpolation`; nothing if nobody asks for it.
 ///
 /// The layer of a table of mips is the level. A value is an f32, or a vector of as many numbers as a texel has.
-pub(super) fn of_table(texture: &TexturePlan, is_filtered: bool) -> String {
+pub(super) fn of_table(texture: &TexturePlan, interpolation: Option<Sampling>) -> String {
     let name = texture.table.kind().name().unwrap_or_default();
     let (index, binding) = (texture.table.number() - 1, texture.table.number() + 1);
     let (kind, load, sample) = match texture.shape {
@@ -49,13 +48,10 @@ fn barchan_{name}_texel(place: vec2<i32>, layer: i32) -> {value} {{
 ",
         upper = name.to_uppercase(),
     );
-    if texture.descriptor.filter != Filter::Linear || texture.levels > 1 {
-        return source;
-    }
     let sample = sample.replace("LAYERS", &format!("{}.0", texture.layers));
-    source += &if is_filtered {
-        format!(
-            "
+    source += &match interpolation {
+        None => String::new(),
+        Some(Sampling::Filtered) => format!(            "
 fn barchan_{name}_at(place: vec2<f32>, layer: i32) -> {value} {{
     let uv = (place + 0.5) / barchan_tables[BARCHAN_{upper}].extent;
     let stored = textureSampleLevel(barchan_{name}_texels, barchan_sampler, {sample}).{channels};
@@ -63,9 +59,8 @@ fn barchan_{name}_at(place: vec2<f32>, layer: i32) -> {value} {{
 }}
 ",
             upper = name.to_uppercase(),
-        )
-    } else {
-        format!(
+        ),
+        Some(Sampling::Loaded) => format!(
             "
 fn barchan_{name}_at(place: vec2<f32>, layer: i32) -> {value} {{
     let corner = floor(place);
@@ -76,7 +71,7 @@ fn barchan_{name}_at(place: vec2<f32>, layer: i32) -> {value} {{
     return mix(upper, lower, part.y);
 }}
 "
-        )
+        ),
     };
     source
 }

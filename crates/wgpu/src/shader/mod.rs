@@ -20,6 +20,7 @@
 //! Vulkan promises little of sines and arcsines in a shader (2⁻¹¹ and 4096 ulp), so `functions.wgsl` has its own.
 
 mod access;
+mod alike;
 mod technique;
 
 use std::fmt;
@@ -101,6 +102,18 @@ pub enum ComposeError {
         /// Which table.
         table: Semantic,
     },
+    /// Two tables of a technique do not lie alike, so that one place and one azimuth cannot stand for both: in the file, or because other
+    /// parts of them were selected.
+    Unlike {
+        /// Which technique.
+        technique: Technique,
+        /// One of them.
+        table: Semantic,
+        /// The other.
+        other: Semantic,
+        /// What differs.
+        field: &'static str,
+    },
     /// Shadows of relief need a technique that finds relief.
     NoSearch,
     /// There is one way to find relief in a shader.
@@ -126,21 +139,22 @@ impl Shader {
     pub fn compose(plan: &UploadPlan, techniques: &[Technique], options: &ShaderOptions) -> Result<Self, ComposeError> {
         technique::check(techniques)?;
         let tables = technique::tables(techniques, plan)?;
-        let is_filtered = |texture: &TexturePlan| options.sampling == Sampling::Filtered && texture.is_filterable;
-        let textures = || tables.iter().filter_map(|&table| plan.texture(table));
+        let parts = technique::parts(techniques, &tables, options.probes);
+        let textures: Vec<_> = tables.iter().filter_map(|&table| plan.texture(table)).collect();
+        let interpolations: Vec<_> = textures.iter().map(|texture| interpolation(texture, &parts, options)).collect();
         let mut kinds = vec![BindingKind::Parameters];
         let mut source = [include_str!("wgsl/functions.wgsl"), include_str!("wgsl/table.wgsl")].join("\n");
-        if textures().any(is_filtered) {
+        if interpolations.contains(&Some(Sampling::Filtered)) {
             kinds.push(BindingKind::Sampler);
             source += access::SAMPLER;
         }
-        for texture in textures() {
-            let (table, shape, is_filtered) = (texture.table, texture.shape, is_filtered(texture));
-            kinds.push(BindingKind::Texture { table, shape, is_filtered });
-            source += &access::of_table(texture, is_filtered);
+        for (texture, interpolation) in textures.into_iter().zip(interpolations) {
+            let is_filtered = interpolation == Some(Sampling::Filtered);
+            kinds.push(BindingKind::Texture { table: texture.table, shape: texture.shape, is_filtered });
+            source += &access::of_table(texture, interpolation);
         }
         source += &technique::constants(techniques);
-        for part in technique::parts(techniques, &tables, options.probes) {
+        for part in parts {
             source += "\n";
             source += part;
         }
@@ -167,6 +181,14 @@ impl Shader {
     }
 }
 
+/// How the parts interpolate between texels of a table, if they do.
+fn interpolation(texture: &TexturePlan, parts: &[&str], options: &ShaderOptions) -> Option<Sampling> {
+    let called = format!("barchan_{}_at(", texture.table.kind().name().unwrap_or_default());
+    let is_asked = parts.iter().any(|part| part.contains(&called));
+    let sampling = if texture.is_filterable { options.sampling } else { Sampling::Loaded };
+    is_asked.then_some(sampling)
+}
+
 impl BindingKind {
     /// Its number in the group.
     #[must_use]
@@ -187,6 +209,13 @@ impl fmt::Display for ComposeError {
                 let table = table.kind().name().unwrap_or_default();
                 write!(f, "{} needs the table {table}, which is not loaded", technique.name())
             }
+            Self::Unlike { technique, table, other, field } => write!(
+                f,
+                "{} needs the same {field} of the tables {} and {}; theirs differ",
+                technique.name(),
+                table.kind(),
+                other.kind()
+            ),
             Self::NoSearch => write!(f, "relief shadow needs a way to find relief; name a relief technique beside it"),
             Self::TwoSearches { first, second } => {
                 write!(f, "{} and {} are both named; a shader finds relief in one way", first.name(), second.name())

@@ -2,7 +2,7 @@
 
 use barchan_asset::Semantic;
 
-use super::ComposeError;
+use super::{ComposeError, alike};
 use crate::UploadPlan;
 
 /// Steps of the searches that have a fixed number, where nobody says otherwise.
@@ -185,6 +185,7 @@ impl Technique {
         if self.optional().iter().all(is_loaded) {
             tables.extend(self.optional());
         }
+        alike::check(self, &tables, plan)?;
         Ok(tables)
     }
 
@@ -254,8 +255,9 @@ fn relief_parts(search: ReliefSearch, has: &dyn Fn(Semantic) -> bool) -> Vec<&'s
         }
         ReliefSearch::MaximumMip => vec![include_str!("wgsl/relief_maximum_mip.wgsl")],
     };
-    let ends = [include_str!("wgsl/relief_find.wgsl")];
-    [include_str!("wgsl/relief.wgsl"), start].into_iter().chain(search).chain(ends).collect()
+    // Relief lies on something: directions of space come to it through a tangent frame.
+    let starts = [include_str!("wgsl/tangent.wgsl"), include_str!("wgsl/relief.wgsl"), start];
+    starts.into_iter().chain(search).chain([include_str!("wgsl/relief_find.wgsl")]).collect()
 }
 
 /// Techniques that go together: one way to find relief, and one where its shadows need it.

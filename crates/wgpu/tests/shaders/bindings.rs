@@ -54,6 +54,18 @@ fn a_curved_scene_binds_the_swept_points_if_it_has_them() {
 }
 
 #[test]
+fn who_only_loads_texels_binds_no_sampler() {
+    let plan = plan(&Semantic::ALL);
+    let has_sampler = |techniques: &[Technique]| {
+        let shader = composed(&plan, techniques, Sampling::Filtered);
+        shader.bindings().iter().any(|binding| binding.kind == BindingKind::Sampler)
+    };
+    assert!(has_sampler(&[Technique::Surface]));
+    assert!(!has_sampler(&[Technique::CurvedShadow]));
+    assert!(!has_sampler(&[Technique::Relief(ReliefSearch::MaximumMip), Technique::ReliefShadow]));
+}
+
+#[test]
 fn relief_binds_the_tables_of_its_search_and_of_its_start() {
     let tables = [Semantic::Height, Semantic::ConeMap, Semantic::RelaxedConeMap, Semantic::MaximumHeight];
     let searched = [vec![], vec![], vec![(11, "cone_map")], vec![(12, "relaxed_cone_map")], vec![(13, "maximum_mip")]];

@@ -4,7 +4,7 @@
 mod every_table;
 
 mod bindings;
-mod functions;
+mod readme;
 mod validity;
 
 use barchan_asset::{Encoding, Semantic};

@@ -110,32 +110,42 @@ fn barchan_curved_towards(ground: BarchanGround, texel: vec2<i32>, height: f32, 
 // The elevation of a texel's horizon between two azimuths.
 fn barchan_curved_texel(ground: BarchanGround, texel: vec2<i32>, beside: BarchanNeighbours) -> f32 {
     let height = barchan_height_texel(texel, 0);
-    let first = barchan_curved_towards(ground, texel, height, beside.first);
-    if beside.weight == 0.0 {
-        return first;
+    var elevation = 0.0;
+    for (var side = 0; side < 2; side++) {
+        let weight = select(1.0 - beside.weight, beside.weight, side == 1);
+        if weight != 0.0 {
+            let azimuth = select(beside.first, beside.second, side == 1);
+            elevation += weight * barchan_curved_towards(ground, texel, height, azimuth);
+        }
     }
-    return mix(first, barchan_curved_towards(ground, texel, height, beside.second), beside.weight);
+    return elevation;
 }
 
 // The elevation of the horizon towards a light above the tangent plane of a place; `curvature` is that of the base along the light.
+//
+// Loops, and not a call for each texel: compilers inline calls, and eight copies take them minutes.
 fn barchan_curved_elevation(place: vec2<f32>, light: BarchanTangentLight, curvature: f32) -> f32 {
     let ground = barchan_ground(curvature, light.stretch, barchan_tables[BARCHAN_HEIGHT].least);
     let beside = barchan_neighbours(BARCHAN_HORIZON, light.azimuth);
     let corner = floor(place);
-    let texel = vec2<i32>(corner);
     let part = place - corner;
-    let upper_left = barchan_curved_texel(ground, texel, beside);
-    let upper_right = barchan_curved_texel(ground, texel + vec2<i32>(1, 0), beside);
-    let lower_left = barchan_curved_texel(ground, texel + vec2<i32>(0, 1), beside);
-    let lower_right = barchan_curved_texel(ground, texel + vec2<i32>(1, 1), beside);
-    let upper = mix(upper_left, upper_right, part.x);
-    let lower = mix(lower_left, lower_right, part.x);
-    return clamp(mix(upper, lower, part.y), -BARCHAN_GREATEST_ELEVATION, BARCHAN_GREATEST_ELEVATION);
+    var elevation = 0.0;
+    for (var tap = 0; tap < 4; tap++) {
+        let offset = vec2<i32>(tap & 1, tap >> 1u);
+        let weights = select(1.0 - part, part, offset == vec2<i32>(1));
+        elevation += weights.x * weights.y * barchan_curved_texel(ground, vec2<i32>(corner) + offset, beside);
+    }
+    return clamp(elevation, -BARCHAN_GREATEST_ELEVATION, BARCHAN_GREATEST_ELEVATION);
 }
 
-// Whether the light stands below the horizon of a place: L′z < δ′ · |L′xy|. Light from below the tangent plane is not cut off: a bump
-// behind the terminator whose horizon is lower still is lit. At the zenith it always is; straight from below, never.
-fn barchan_curved_in_shadow(place: vec2<f32>, light: BarchanTangentLight, curvature: f32) -> bool {
-    let horizon = barchan_sine_cosine(barchan_curved_elevation(place, light, curvature));
+// Whether a light stands below a horizon: L′z < δ′ · |L′xy|. Light from below the tangent plane is not cut off: a bump behind the
+// terminator whose horizon is lower still is lit. At the zenith it always is; straight from below, never.
+fn barchan_is_below(light: BarchanTangentLight, elevation: f32) -> bool {
+    let horizon = barchan_sine_cosine(elevation);
     return light.height * horizon.y < light.level * horizon.x;
+}
+
+// Whether a place is in shadow.
+fn barchan_curved_in_shadow(place: vec2<f32>, light: BarchanTangentLight, curvature: f32) -> bool {
+    return barchan_is_below(light, barchan_curved_elevation(place, light, curvature));
 }

@@ -3,7 +3,9 @@
 
 // A map has at most 8 points.
 fn barchan_points() -> i32 {
-    return 1 + i32(min(barchan_tables[BARCHAN_SWEPT_HORIZON].candidates, 7u));
+    let elevations = barchan_tables[BARCHAN_SWEPT_HORIZON].candidates;
+    let distances = barchan_tables[BARCHAN_SWEPT_DISTANCE].candidates;
+    return 1 + i32(min(min(elevations, distances), 7u));
 }
 
 fn barchan_point(point: i32, texel: vec2<i32>, azimuth: i32) -> BarchanPoint {

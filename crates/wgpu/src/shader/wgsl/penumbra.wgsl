@@ -12,35 +12,32 @@
 // A disc no larger than this at the distance 1 is a point.
 const BARCHAN_SMALLEST_DISC: f32 = 1e-6;
 
-// How many of the four texels around a place have a horizon that is nearer than the light, and their elevations, both weighted.
-fn barchan_penumbra_blocking(place: vec2<f32>, azimuth: i32, level_distance: f32) -> vec2<f32> {
-    let corner = floor(place);
-    let texel = vec2<i32>(corner);
-    let part = place - corner;
-    let upper_left = barchan_penumbra_tap(texel, azimuth, level_distance);
-    let upper_right = barchan_penumbra_tap(texel + vec2<i32>(1, 0), azimuth, level_distance);
-    let lower_left = barchan_penumbra_tap(texel + vec2<i32>(0, 1), azimuth, level_distance);
-    let lower_right = barchan_penumbra_tap(texel + vec2<i32>(1, 1), azimuth, level_distance);
-    return mix(mix(upper_left, upper_right, part.x), mix(lower_left, lower_right, part.x), part.y);
-}
-
-fn barchan_penumbra_tap(texel: vec2<i32>, azimuth: i32, level_distance: f32) -> vec2<f32> {
-    if barchan_distance_texel(texel, azimuth) < level_distance {
-        return vec2<f32>(1.0, barchan_horizon_texel(texel, azimuth));
-    }
-    return vec2<f32>(0.0);
-}
-
 // The share of what blocks, 0 to 1, and the elevation of its horizon.
+//
+// A loop, and not a call for each texel: compilers inline calls, and eight copies take them long.
 fn barchan_penumbra_horizon(place: vec2<f32>, azimuth: f32, level_distance: f32) -> vec2<f32> {
     let beside = barchan_neighbours(BARCHAN_HORIZON, azimuth);
     if level_distance > barchan_tables[BARCHAN_DISTANCE].greatest {
         let first = barchan_horizon_at(place, beside.first);
         return vec2<f32>(1.0, mix(first, barchan_horizon_at(place, beside.second), beside.weight));
     }
-    let first = barchan_penumbra_blocking(place, beside.first, level_distance);
-    let blocking = mix(first, barchan_penumbra_blocking(place, beside.second, level_distance), beside.weight);
-    return vec2<f32>(blocking.x, blocking.y / max(blocking.x, 1e-6));
+    let corner = floor(place);
+    let part = place - corner;
+    var coverage = 0.0;
+    var elevation = 0.0;
+    for (var tap = 0; tap < 8; tap++) {
+        let is_second = tap > 3;
+        let layer = select(beside.first, beside.second, is_second);
+        let offset = vec2<i32>(tap & 1, (tap >> 1u) & 1);
+        let texel = vec2<i32>(corner) + offset;
+        if barchan_distance_texel(texel, layer) < level_distance {
+            let weights = select(1.0 - part, part, offset == vec2<i32>(1));
+            let weight = weights.x * weights.y * select(1.0 - beside.weight, beside.weight, is_second);
+            coverage += weight;
+            elevation += weight * barchan_horizon_texel(texel, layer);
+        }
+    }
+    return vec2<f32>(coverage, elevation / max(coverage, 1e-6));
 }
 
 // How much of a disc is seen from a place, 0 to 1. `towards` is a unit vector to its centre in the frame (u, v up the picture, height),

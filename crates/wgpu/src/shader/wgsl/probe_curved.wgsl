@@ -8,6 +8,6 @@ fn barchan_probe_curved(@builtin(position) position: vec4<f32>) -> @location(0) 
     let light = barchan_tangent_light(barchan_probe.along_u, barchan_probe.along_v, normal, barchan_probe.light, extent);
     let curvature = barchan_curvature_along(barchan_probe.first_form, barchan_probe.second_form, light.direction);
     let elevation = barchan_curved_elevation(place, light, curvature);
-    let is_dark = barchan_curved_in_shadow(place, light, curvature);
+    let is_dark = barchan_is_below(light, elevation);
     return vec4<f32>(elevation, select(0.0, 1.0, is_dark), curvature, light.azimuth);
 }

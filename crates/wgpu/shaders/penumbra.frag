@@ -1,0 +1,350 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct BarchanTable {
+    vec2 extent;
+    vec2 spacing;
+    float scale;
+    float bias;
+    uint transfer;
+    uint edges;
+    float first_azimuth;
+    float azimuth_step;
+    uint azimuths;
+    uint is_circle;
+    uint candidates;
+    uint rings;
+    uint ring_spacing;
+    uint depth_mode;
+    float max_tangent;
+    float max_polar;
+    float relief_top;
+    float relief_thickness;
+    uint first_level;
+    uint levels;
+    float least;
+    float greatest;
+};
+struct BarchanNeighbours {
+    int first;
+    int second;
+    float weight;
+};
+struct BarchanProbe {
+    vec2 place;
+    vec2 step_;
+    vec3 light;
+    float angular_radius;
+    vec3 eye;
+    float level_distance;
+    vec3 first_form;
+    float tolerance;
+    vec3 second_form;
+    float unused_0_;
+    vec3 along_u;
+    float unused_1_;
+    vec3 along_v;
+    float unused_2_;
+};
+const uint BARCHAN_HORIZON = 1u;
+const uint BARCHAN_DISTANCE = 2u;
+const float BARCHAN_TURN = 6.2831855;
+const float BARCHAN_SMALLEST_DISC = 1e-6;
+
+layout(std140) uniform BarchanTables_block_0Fragment { BarchanTable _group_0_binding_0_fs[12]; };
+
+uniform highp sampler2DArray _group_0_binding_3_fs;
+
+uniform highp sampler2DArray _group_0_binding_4_fs;
+
+layout(std140) uniform BarchanProbe_block_1Fragment { BarchanProbe _group_0_binding_14_fs; };
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+float barchan_arcsine(float sine) {
+    float size = min(abs(sine), 1.0);
+    bool is_steep = (size > 0.5);
+    float square = (is_steep ? (0.5 * (1.0 - size)) : (size * size));
+    float root = (is_steep ? sqrt(square) : size);
+    float series = (((((((((((0.0421632 * square) + 0.024181312) * square) + 0.045470025) * square) + 0.074953005) * square) + 0.16666752) * square) * root) + root);
+    float angle_1 = (is_steep ? (1.5707963 - (2.0 * series)) : series);
+    return ((sine < 0.0) ? -(angle_1) : angle_1);
+}
+
+float barchan_arctangent(float tangent) {
+    float start = 0.0;
+    float part = 0.0;
+    float size_1 = abs(tangent);
+    part = size_1;
+    if ((size_1 > 2.4142137)) {
+        start = 1.5707964;
+        part = (-1.0 / size_1);
+    } else {
+        if ((size_1 > 0.41421357)) {
+            start = 0.7853982;
+            part = ((size_1 - 1.0) / (size_1 + 1.0));
+        }
+    }
+    float _e18 = part;
+    float _e19 = part;
+    float square_1 = (_e18 * _e19);
+    float _e21 = start;
+    float _e33 = part;
+    float _e35 = part;
+    float angle_2 = (_e21 + (((((((((0.080537446 * square_1) - 0.13877685) * square_1) + 0.19977711) * square_1) - 0.3333295) * square_1) * _e33) + _e35));
+    return ((tangent < 0.0) ? -(angle_2) : angle_2);
+}
+
+float barchan_azimuth(vec2 direction) {
+    vec2 size_2 = abs(direction);
+    float larger = max(size_2.x, size_2.y);
+    if (!((larger > 0.0))) {
+        return 0.0;
+    }
+    float sine_1 = (min(size_2.x, size_2.y) / larger);
+    float _e13 = barchan_arctangent(sine_1);
+    float quadrant = ((size_2.y > size_2.x) ? (1.5707964 - _e13) : _e13);
+    float half_ = ((direction.x < 0.0) ? (3.1415927 - quadrant) : quadrant);
+    return ((direction.y < 0.0) ? -(half_) : half_);
+}
+
+vec2 barchan_sine_cosine(float angle) {
+    bool local = false;
+    float quarter = roundEven((angle * 0.63661975));
+    float rest = (((angle - (quarter * 1.5703125)) - (quarter * 0.0004837513)) - (quarter * 7.54979e-8));
+    float square_2 = (rest * rest);
+    float sine_2 = (((((((-0.00019515296 * square_2) + 0.008332161) * square_2) - 0.16666655) * square_2) * rest) + rest);
+    float cosine = ((((((((2.4433157e-5 * square_2) - 0.0013887316) * square_2) + 0.041666646) * square_2) * square_2) - (0.5 * square_2)) + 1.0);
+    int turned = (int(quarter) & 3);
+    vec2 swapped = (((turned & 1) != 0) ? vec2(cosine, sine_2) : vec2(sine_2, cosine));
+    if (!((turned == 1))) {
+        local = (turned == 2);
+    } else {
+        local = true;
+    }
+    bool _e65 = local;
+    return vec2(((turned >= 2) ? -(swapped.x) : swapped.x), (_e65 ? -(swapped.y) : swapped.y));
+}
+
+ivec2 barchan_chosen(ivec2 other, ivec2 chosen, bvec2 is_chosen) {
+    return ivec2((is_chosen.x ? chosen.x : other.x), (is_chosen.y ? chosen.y : other.y));
+}
+
+ivec2 barchan_inside(uint table, ivec2 place, int level) {
+    uint first = _group_0_binding_0_fs[table].first_level;
+    vec2 _e10 = _group_0_binding_0_fs[table].extent;
+    ivec2 whole = ivec2(_e10);
+    ivec2 extent = max((whole >> uvec2((first + uint(level)))), ivec2(1));
+    uint edges = _group_0_binding_0_fs[table].edges;
+    ivec2 repeated = (((place % extent) + extent) % extent);
+    ivec2 clamped = min(max(place, ivec2(0)), (extent - ivec2(1)));
+    ivec2 _e41 = barchan_chosen(clamped, repeated, bvec2(((edges & 1u) != 0u), ((edges & 2u) != 0u)));
+    return _e41;
+}
+
+float barchan_scaled(uint table_1, float stored) {
+    float _e5 = _group_0_binding_0_fs[table_1].scale;
+    float _e10 = _group_0_binding_0_fs[table_1].bias;
+    return ((_e5 * stored) + _e10);
+}
+
+vec2 barchan_scaled_2_(uint table_2, vec2 stored_1) {
+    float _e5 = _group_0_binding_0_fs[table_2].scale;
+    float _e10 = _group_0_binding_0_fs[table_2].bias;
+    return ((_e5 * stored_1) + vec2(_e10));
+}
+
+vec4 barchan_scaled_4_(uint table_3, vec4 stored_2) {
+    float _e5 = _group_0_binding_0_fs[table_3].scale;
+    float _e10 = _group_0_binding_0_fs[table_3].bias;
+    return ((_e5 * stored_2) + vec4(_e10));
+}
+
+vec2 barchan_scaled_cone(uint table_4, vec2 stored_3) {
+    float _e4 = barchan_scaled(table_4, stored_3.y);
+    return vec2(stored_3.x, _e4);
+}
+
+float barchan_transferred(uint table_5, float number) {
+    uint _e5 = _group_0_binding_0_fs[table_5].transfer;
+    switch(_e5) {
+        case 1u: {
+            float _e6 = barchan_arcsine(number);
+            return _e6;
+        }
+        case 2u: {
+            return (number * number);
+        }
+        default: {
+            return number;
+        }
+    }
+}
+
+vec2 barchan_transferred_2_(uint table_6, vec2 number_1) {
+    return number_1;
+}
+
+vec4 barchan_transferred_4_(uint table_7, vec4 number_2) {
+    return number_2;
+}
+
+vec2 barchan_transferred_cone(uint table_8, vec2 number_3) {
+    float _e4 = barchan_transferred(table_8, number_3.y);
+    return vec2(number_3.x, _e4);
+}
+
+float barchan_horizon_before_transfer(ivec2 place_1, int layer) {
+    ivec2 _e4 = barchan_inside(BARCHAN_HORIZON, place_1, 0);
+    vec4 _e8 = texelFetch(_group_0_binding_3_fs, ivec3(_e4, layer), 0);
+    float _e10 = barchan_scaled(BARCHAN_HORIZON, _e8.x);
+    return _e10;
+}
+
+float barchan_horizon_texel(ivec2 place_2, int layer_1) {
+    float _e3 = barchan_horizon_before_transfer(place_2, layer_1);
+    float _e4 = barchan_transferred(BARCHAN_HORIZON, _e3);
+    return _e4;
+}
+
+float barchan_horizon_at(vec2 place_3, int layer_2) {
+    vec2 _e8 = _group_0_binding_0_fs[1].extent;
+    vec2 uv = ((place_3 + vec2(0.5)) / _e8);
+    vec4 _e13 = textureLod(_group_0_binding_3_fs, vec3(uv, layer_2), 0.0);
+    float stored_4 = _e13.x;
+    float _e17 = barchan_scaled(BARCHAN_HORIZON, stored_4);
+    float _e18 = barchan_transferred(BARCHAN_HORIZON, _e17);
+    return _e18;
+}
+
+float barchan_distance_before_transfer(ivec2 place_4, int layer_3) {
+    ivec2 _e4 = barchan_inside(BARCHAN_DISTANCE, place_4, 0);
+    vec4 _e8 = texelFetch(_group_0_binding_4_fs, ivec3(_e4, layer_3), 0);
+    float _e10 = barchan_scaled(BARCHAN_DISTANCE, _e8.x);
+    return _e10;
+}
+
+float barchan_distance_texel(ivec2 place_5, int layer_4) {
+    float _e3 = barchan_distance_before_transfer(place_5, layer_4);
+    float _e4 = barchan_transferred(BARCHAN_DISTANCE, _e3);
+    return _e4;
+}
+
+BarchanNeighbours barchan_neighbours(uint table_9, float azimuth) {
+    bool local_1 = false;
+    uint _e5 = _group_0_binding_0_fs[table_9].azimuths;
+    int count = int(_e5);
+    float step_ = _group_0_binding_0_fs[table_9].azimuth_step;
+    float _e14 = _group_0_binding_0_fs[table_9].first_azimuth;
+    float turns = ((azimuth - _e14) / BARCHAN_TURN);
+    float offset = ((turns - floor(turns)) * BARCHAN_TURN);
+    if (!((count <= 1))) {
+        local_1 = (step_ <= 0.0);
+    } else {
+        local_1 = true;
+    }
+    bool _e30 = local_1;
+    if (_e30) {
+        return BarchanNeighbours(0, 0, 0.0);
+    }
+    float position_2 = (offset / step_);
+    float index_1 = floor(position_2);
+    float weight = (position_2 - index_1);
+    uint _e41 = _group_0_binding_0_fs[table_9].is_circle;
+    if ((_e41 != 0u)) {
+        int first_1 = (int(index_1) % count);
+        return BarchanNeighbours(first_1, ((first_1 + 1) % count), weight);
+    }
+    int last = (count - 1);
+    float span = (float(last) * step_);
+    if ((offset < span)) {
+        int first_2 = min(int(index_1), (last - 1));
+        return BarchanNeighbours(first_2, (first_2 + 1), min((position_2 - float(first_2)), 1.0));
+    }
+    int end = (((BARCHAN_TURN - offset) <= (offset - span)) ? 0 : last);
+    return BarchanNeighbours(end, end, 0.0);
+}
+
+vec2 barchan_penumbra_horizon(vec2 place_6, float azimuth_1, float level_distance) {
+    float coverage = 0.0;
+    float elevation = 0.0;
+    int tap = 0;
+    BarchanNeighbours _e4 = barchan_neighbours(BARCHAN_HORIZON, azimuth_1);
+    float _e8 = _group_0_binding_0_fs[2].greatest;
+    if ((level_distance > _e8)) {
+        float _e11 = barchan_horizon_at(place_6, _e4.first);
+        float _e13 = barchan_horizon_at(place_6, _e4.second);
+        return vec2(1.0, mix(_e11, _e13, _e4.weight));
+    }
+    vec2 corner = floor(place_6);
+    vec2 part_1 = (place_6 - corner);
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            int _e71 = tap;
+            tap = (_e71 + 1);
+        }
+        loop_init = false;
+        int _e26 = tap;
+        if ((_e26 < 8)) {
+        } else {
+            break;
+        }
+        {
+            int _e29 = tap;
+            bool is_second = (_e29 > 3);
+            int layer_5 = (is_second ? _e4.second : _e4.first);
+            int _e35 = tap;
+            int _e38 = tap;
+            ivec2 offset_1 = ivec2((_e35 & 1), ((_e38 >> 1u) & 1));
+            ivec2 texel = (ivec2(corner) + offset_1);
+            float _e46 = barchan_distance_texel(texel, layer_5);
+            if ((_e46 < level_distance)) {
+                vec2 weights = mix((vec2(1.0) - part_1), part_1, equal(offset_1, ivec2(1)));
+                float weight_1 = ((weights.x * weights.y) * (is_second ? _e4.weight : (1.0 - _e4.weight)));
+                float _e64 = coverage;
+                coverage = (_e64 + weight_1);
+                float _e66 = elevation;
+                float _e67 = barchan_horizon_texel(texel, layer_5);
+                elevation = (_e66 + (weight_1 * _e67));
+            }
+        }
+    }
+    float _e73 = coverage;
+    float _e74 = elevation;
+    float _e75 = coverage;
+    return vec2(_e73, (_e74 / max(_e75, 1e-6)));
+}
+
+float barchan_penumbra_visibility(vec2 place_7, vec3 towards, float angular_radius, float level_distance_1) {
+    float _e5 = barchan_azimuth(towards.xy);
+    vec2 _e6 = barchan_penumbra_horizon(place_7, _e5, level_distance_1);
+    vec2 _e8 = barchan_sine_cosine(_e6.y);
+    float level_1 = length(towards.xy);
+    float rise = ((towards.z * _e8.y) - (level_1 * _e8.x));
+    float run = ((level_1 * _e8.y) + (towards.z * _e8.x));
+    vec2 _e23 = barchan_sine_cosine(angular_radius);
+    float radius = max((_e23.x / _e23.y), BARCHAN_SMALLEST_DISC);
+    float t = clamp((rise / (max(run, BARCHAN_SMALLEST_DISC) * radius)), -1.0, 1.0);
+    float _e41 = barchan_arcsine(t);
+    float seen = (0.5 + (((t * sqrt((1.0 - (t * t)))) + _e41) * 0.3183099));
+    return clamp((1.0 - (_e6.x * (1.0 - seen))), 0.0, 1.0);
+}
+
+vec2 barchan_probe_place(vec4 position_1) {
+    vec2 _e3 = _group_0_binding_14_fs.place;
+    vec2 _e8 = _group_0_binding_14_fs.step_;
+    return (_e3 + (floor(position_1.xy) * _e8));
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    vec2 _e1 = barchan_probe_place(position);
+    BarchanProbe probe = _group_0_binding_14_fs;
+    float _e7 = barchan_penumbra_visibility(_e1, probe.light, probe.angular_radius, probe.level_distance);
+    _fs2p_location0 = vec4(_e7, 0.0, 0.0, 0.0);
+    return;
+}
+
