@@ -21,6 +21,7 @@ const ARROWS: [(&str, &[&str]); 12] = [
     ("metrics", &[]),
     ("pipeline", &["asset", "bakers", "field", "import", "metrics"]),
     ("shade", &["asset"]),
+    // What the reader costs is measured like the rest, on a GPU that `view` opens.
     ("study", &["asset", "bakers", "field", "metrics", "shade", "view", "wgpu"]),
     ("view", &["asset", "wgpu"]),
     ("wgpu", &["asset"]),

@@ -71,7 +71,8 @@ pub struct Record {
     pub gpu_ns_min: Option<f64>,
     /// Median absolute deviation from the median.
     pub gpu_ns_spread: Option<f64>,
-    /// The GPU, as it calls itself. A file may have the records of several: [`RecordFile::with_other_devices`](crate::RecordFile).
+    /// The GPU, as it calls itself. A file may have the records of several:
+    /// [`RecordFile::with_other_devices`](crate::RecordFile::with_other_devices).
     pub device: Option<String>,
     /// Whether it is software, and its time therefore the processor's.
     pub is_software: Option<bool>,
