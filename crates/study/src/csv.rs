@@ -42,4 +42,15 @@ impl RecordFile {
         let records = reader.deserialize().collect::<Result<_, _>>()?;
         Ok(Self { machine, records })
     }
+
+    /// The file, and after its records those of `previous` that were measured on other GPUs: what one machine measures does not drop
+    /// what another one did.
+    #[must_use]
+    pub fn with_other_devices(mut self, previous: &Self) -> Self {
+        let is_measured = |device| self.records.iter().any(|record| record.device.as_ref() == Some(device));
+        let others = previous.records.iter().filter(|record| record.device.as_ref().is_some_and(|d| !is_measured(d)));
+        let others: Vec<Record> = others.cloned().collect();
+        self.records.extend(others);
+        self
+    }
 }

@@ -1,7 +1,9 @@
-use barchan_asset::{DescriptorError, EncodeError};
+use barchan_asset::{DescriptorError, EncodeError, WriteError};
 use barchan_bakers::BakeError;
 use barchan_field::FieldError;
 use barchan_shade::{MismatchedRelief, MismatchedTables};
+use barchan_view::GpuError;
+use barchan_wgpu::{ComposeError, PlanError, ReadError, UploadError};
 use thiserror::Error;
 
 /// Why a study cannot go on.
@@ -24,6 +26,12 @@ pub enum StudyError {
     /// A table cannot be stored.
     #[error(transparent)]
     Encode(#[from] EncodeError),
+    /// A file cannot be put together.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// There is no GPU, or it refuses.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
     /// A stored table cannot be read.
     #[error(transparent)]
     Table(#[from] DescriptorError),
@@ -58,3 +66,16 @@ pub enum StudyError {
         name: String,
     },
 }
+
+/// What the reader refuses comes in words of the GPU's.
+macro_rules! by_the_gpu {
+    ($($error:ty),+) => {
+        $(impl From<$error> for StudyError {
+            fn from(error: $error) -> Self {
+                Self::Gpu(error.into())
+            }
+        })+
+    };
+}
+
+by_the_gpu!(ReadError, PlanError, ComposeError, UploadError);

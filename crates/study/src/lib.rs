@@ -20,7 +20,8 @@
 //! it: [`horizon_speed`], [`horizon_accuracy`], [`horizon_shadow`], [`horizon_curvature`] of height fields,
 //! [`curved_effect`], [`curved_shadow`] of relief on curved surfaces, [`curvature_accuracy`], [`curvature_speed`],
 //! [`curvature_interpolation`] of meshes, [`hemisphere_paper`], [`relief_search`], [`relief_start`],
-//! [`hemisphere_occlusion`], [`hemisphere_speed`] of relief mapping; how its records read in the docs is in [`report`], and as pictures in [`chart`].
+//! [`hemisphere_occlusion`], [`hemisphere_speed`] of relief mapping, [`gpu_time`], [`gpu_upload`], [`gpu_size`] of the reader on a
+//! GPU; how its records read in the docs is in [`report`], and as pictures in [`chart`].
 
 pub mod bandwidth;
 pub mod chart;
@@ -35,6 +36,12 @@ pub mod curved_shadow;
 mod error;
 mod figure_tables;
 pub mod figures;
+mod gpu_cases;
+mod gpu_device;
+mod gpu_files;
+pub mod gpu_size;
+pub mod gpu_time;
+pub mod gpu_upload;
 pub mod hemisphere_occlusion;
 pub mod hemisphere_paper;
 pub mod hemisphere_spec;

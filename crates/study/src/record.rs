@@ -4,7 +4,7 @@ use barchan_field::Mesh;
 use barchan_metrics::{ErrorStats, Percentiles};
 use serde::{Deserialize, Serialize};
 
-use crate::timer::Timing;
+use crate::timer::{Spread, Timing};
 use crate::{Scene, Setting};
 
 /// One technique at one setting on one scene. What was not measured is `None`.
@@ -65,6 +65,19 @@ pub struct Record {
     pub height_fetches: Option<f64>,
     /// Mean fetches of other tables per item.
     pub table_fetches: Option<f64>,
+    /// Median time per item by the GPU's own clock, in nanoseconds, as are the next two; nothing where it has none.
+    pub gpu_ns: Option<f64>,
+    /// The shortest.
+    pub gpu_ns_min: Option<f64>,
+    /// Median absolute deviation from the median.
+    pub gpu_ns_spread: Option<f64>,
+    /// The GPU, as it calls itself. A file may have the records of several:
+    /// [`RecordFile::with_other_devices`](crate::RecordFile::with_other_devices).
+    pub device: Option<String>,
+    /// Whether it is software, and its time therefore the processor's.
+    pub is_software: Option<bool>,
+    /// The driver and the machine of the GPU, where the file's machine is only that of its last measurement.
+    pub host: Option<String>,
 }
 
 /// What an error is an error of, its unit, and when it is wrong.
@@ -115,6 +128,8 @@ pub enum Item {
     Vertex,
     /// One byte read or written.
     Byte,
+    /// One file opened.
+    File,
     /// One ray into a relief; of a bake, one texel of the height map in one direction.
     Ray,
 }
@@ -196,6 +211,16 @@ impl Record {
         self
     }
 
+    /// The record with the times of work on so many items by the GPU's own clock, if it has one.
+    #[must_use]
+    pub fn with_gpu_time(mut self, seconds: Option<Spread>, items: f64) -> Self {
+        let per_item = |seconds: f64| 1e9 * seconds / items;
+        self.gpu_ns = seconds.map(|spread| per_item(spread.median));
+        self.gpu_ns_min = seconds.map(|spread| per_item(spread.minimum));
+        self.gpu_ns_spread = seconds.map(|spread| per_item(spread.deviation));
+        self
+    }
+
     /// The time of one item on one core: processor time where the system says it, else the wall's.
     #[must_use]
     pub fn core_ns(&self) -> Option<f64> {
@@ -221,6 +246,9 @@ impl Record {
             &mut self.bandwidth_share,
             &mut self.height_fetches,
             &mut self.table_fetches,
+            &mut self.gpu_ns,
+            &mut self.gpu_ns_min,
+            &mut self.gpu_ns_spread,
         ];
         for number in numbers.into_iter().flatten() {
             *number = five_digits(*number);
@@ -237,7 +265,6 @@ fn five_digits(number: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::timer::Spread;
 
     #[test]
     fn times_are_divided_by_the_items() {

@@ -63,6 +63,11 @@ impl StoredSearch {
         })
     }
 
+    /// The table, if it has one.
+    pub(crate) fn into_table(self) -> Option<TextureTable> {
+        self.table
+    }
+
     /// Bytes of the table, and the seconds of its bake.
     pub(crate) fn weight(&self) -> (u64, f64) {
         self.table.as_ref().map_or((0, 0.0), |table| (table.payload().len() as u64, self.seconds))

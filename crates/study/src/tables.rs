@@ -17,7 +17,8 @@ pub(crate) fn surface(field: &HeightField) -> Result<Surface, StudyError> {
     Ok(Surface::new(&HeightView::new(*table.descriptor(), table.payload())?))
 }
 
-fn heights(field: &HeightField) -> Result<TextureTable, StudyError> {
+/// Heights in their stored form, exact.
+pub(crate) fn heights(field: &HeightField) -> Result<TextureTable, StudyError> {
     Ok(HeightTable { grid: table_grid(field.grid()), values: field.samples() }.encode(Encoding::F32)?)
 }
 
@@ -74,6 +75,11 @@ impl StoredPoints {
     /// Bytes of elevations and distances.
     pub(crate) fn bytes(&self) -> u64 {
         self.tables.iter().flatten().map(|table| table.payload().len() as u64).sum()
+    }
+
+    /// Elevations and distances, the first point's before the others'.
+    pub(crate) fn into_tables(self) -> impl Iterator<Item = TextureTable> {
+        self.tables.into_iter().flatten()
     }
 
     pub(crate) fn views(&self) -> Result<PointViews<'_>, StudyError> {

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 /// A column may be added at the end; a change here breaks every file of records that was ever written.
 const COLUMNS: &str = "technique,setting,scene,width,height,quantity,samples,wrong_share,rms,mean,p99,max,per,rounds,\
                        cpu_ns,cpu_ns_min,cpu_ns_spread,wall_ns,wall_ns_min,wall_ns_spread,fetches,bytes,bake_seconds,\
-                       bandwidth_share,height_fetches,table_fetches";
+                       bandwidth_share,height_fetches,table_fetches,gpu_ns,gpu_ns_min,gpu_ns_spread,device,is_software,host";
 
 fn file(records: Vec<Record>) -> RecordFile {
     RecordFile { machine: "a box, 2 cores".to_owned(), records }
@@ -35,7 +35,7 @@ fn the_machine_comes_first_then_the_columns_in_their_order() {
     assert_eq!(lines[..2], ["# machine: a box, 2 cores", COLUMNS]);
     assert_eq!(
         lines[2],
-        "horizon,method=sweep directions=32,dunes,512,256,elevation_degrees,1000,,0.33333,,,,texel_direction,,16.5,,,,,,,,,,,"
+        "horizon,method=sweep directions=32,dunes,512,256,elevation_degrees,1000,,0.33333,,,,texel_direction,,16.5,,,,,,,,,,,,,,,,,"
     );
     assert_eq!(lines.len(), 3);
 }

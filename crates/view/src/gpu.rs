@@ -64,6 +64,18 @@ impl Gpu {
         let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
         polled.map(|_| ()).map_err(|error| GpuError::Device { reason: error.to_string() })
     }
+
+    /// What is in a buffer that can be mapped, once all that was submitted is done.
+    pub(crate) fn read(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
+        let (sender, receiver) = std::sync::mpsc::channel();
+        buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| drop(sender.send(mapped)));
+        self.finish()?;
+        let lost = |reason: String| GpuError::Device { reason };
+        receiver.recv().map_err(|error| lost(error.to_string()))?.map_err(|error| lost(error.to_string()))?;
+        let bytes = buffer.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?.to_vec();
+        buffer.unmap();
+        Ok(bytes)
+    }
 }
 
 /// Waits for something that the device does.

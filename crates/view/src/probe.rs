@@ -83,7 +83,8 @@ pub struct ProbePass<'a> {
     probe: wgpu::Buffer,
 }
 
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+/// Four floats a pixel.
+pub(crate) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
 impl<'a> ProbePass<'a> {
     /// The pass of the first of `techniques`; the others are those it needs beside it.
@@ -171,11 +172,11 @@ impl<'a> ProbePass<'a> {
     /// # Errors
     /// A device that refuses or is lost.
     pub fn draw(&self, probe: &Probe) -> Result<Vec<[f32; 4]>, GpuError> {
-        self.gpu.queue.write_buffer(&self.probe, 0, &probe.bytes());
+        self.set(probe);
         let target = self.gpu.checked(|device| {
             let target = Target::new(device, FORMAT, probe.size);
             let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            self.encode(&mut encoder, &target);
+            self.encode(&mut encoder, &target, None);
             target.copy(&mut encoder);
             self.gpu.queue.submit([encoder.finish()]);
             target
@@ -185,10 +186,27 @@ impl<'a> ProbePass<'a> {
         Ok(target.read(self.gpu)?.chunks_exact(16).map(pixel).collect())
     }
 
-    fn encode(&self, encoder: &mut wgpu::CommandEncoder, target: &Target) {
+    /// Its device.
+    pub(crate) fn gpu(&self) -> &'a Gpu {
+        self.gpu
+    }
+
+    /// Sets what the next pass draws.
+    pub(crate) fn set(&self, probe: &Probe) {
+        self.gpu.queue.write_buffer(&self.probe, 0, &probe.bytes());
+    }
+
+    /// Draws to a target, between two timestamps where there are any.
+    pub(crate) fn encode(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        target: &Target,
+        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("probe"),
             color_attachments: &[Some(target.attachment())],
+            timestamp_writes,
             ..Default::default()
         });
         pass.set_pipeline(&self.pipeline);

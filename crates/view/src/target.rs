@@ -1,6 +1,5 @@
 //! Textures that are drawn to and read back.
 
-use crate::gpu::wait;
 use crate::{Gpu, GpuError};
 
 /// A texture that is drawn to, and the buffer it is read back by.
@@ -62,16 +61,8 @@ impl Target {
 
     /// Waits for what was copied: rows from the top, without padding.
     pub(crate) fn read(&self, gpu: &Gpu) -> Result<Vec<u8>, GpuError> {
-        let (sender, receiver) = std::sync::mpsc::channel();
-        self.read_back.slice(..).map_async(wgpu::MapMode::Read, move |mapped| drop(sender.send(mapped)));
-        gpu.finish()?;
-        let lost = |error: &dyn std::error::Error| GpuError::Device { reason: error.to_string() };
-        wait(async { receiver.recv() }).map_err(|error| lost(&error))?.map_err(|error| lost(&error))?;
-        let view = self.read_back.slice(..).get_mapped_range().map_err(|error| lost(&error))?;
-        let rows = view.chunks_exact(self.padded_row_bytes as usize);
-        let bytes = rows.flat_map(|row| &row[..self.row_bytes]).copied().collect();
-        drop(view);
-        self.read_back.unmap();
-        Ok(bytes)
+        let padded = gpu.read(&self.read_back)?;
+        let rows = padded.chunks_exact(self.padded_row_bytes as usize);
+        Ok(rows.flat_map(|row| &row[..self.row_bytes]).copied().collect())
     }
 }

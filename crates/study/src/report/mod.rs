@@ -6,6 +6,10 @@ mod accuracy;
 mod curvature;
 mod curved;
 mod effect;
+mod gpu_size;
+mod gpu_time;
+mod gpu_upload;
+mod gpu_words;
 mod hemisphere_occlusion;
 mod hemisphere_paper;
 mod hemisphere_speed;
@@ -53,11 +57,17 @@ pub enum Block {
     HemisphereOcclusion,
     /// How fast they are baked: [`hemisphere_speed`](crate::hemisphere_speed).
     HemisphereSpeed,
+    /// What techniques cost on a GPU: [`gpu_time`](crate::gpu_time).
+    GpuTime,
+    /// How long files take to get there: [`gpu_upload`](crate::gpu_upload).
+    GpuUpload,
+    /// What the reader adds to a program: [`gpu_size`](crate::gpu_size).
+    GpuSize,
 }
 
 impl Block {
     /// Every block, in the order of the docs.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 17] = [
         Self::Bench,
         Self::Accuracy,
         Self::Shadow,
@@ -72,6 +82,9 @@ impl Block {
         Self::ReliefStart,
         Self::HemisphereOcclusion,
         Self::HemisphereSpeed,
+        Self::GpuTime,
+        Self::GpuUpload,
+        Self::GpuSize,
     ];
 
     /// The name of the file, without `.csv`, and of the block.
@@ -92,6 +105,9 @@ impl Block {
             Self::ReliefStart => "relief_start",
             Self::HemisphereOcclusion => "hemisphere_occlusion",
             Self::HemisphereSpeed => "hemisphere_speed",
+            Self::GpuTime => "gpu_time",
+            Self::GpuUpload => "gpu_upload",
+            Self::GpuSize => "gpu_size",
         }
     }
 
@@ -117,6 +133,9 @@ impl Block {
             Self::ReliefStart => relief_start::render(&file),
             Self::HemisphereOcclusion => hemisphere_occlusion::render(&file),
             Self::HemisphereSpeed => hemisphere_speed::render(&file),
+            Self::GpuTime => gpu_time::render(&file),
+            Self::GpuUpload => gpu_upload::render(&file),
+            Self::GpuSize => gpu_size::render(&file),
         })
     }
 

@@ -10,6 +10,8 @@
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program for the terminal")]
 
+mod programs;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -23,8 +25,9 @@ use barchan_study::report::Block;
 use barchan_study::timer::Pace;
 use barchan_study::{
     Machine, Record, RecordFile, Scale, Scene, Step, curvature_accuracy, curvature_interpolation, curvature_speed,
-    curved_effect, curved_pictures, curved_shadow, hemisphere_occlusion, hemisphere_paper, hemisphere_speed,
-    horizon_accuracy, horizon_curvature, horizon_shadow, horizon_speed, markdown, relief_search, relief_start, run,
+    curved_effect, curved_pictures, curved_shadow, gpu_time, gpu_upload, hemisphere_occlusion, hemisphere_paper,
+    hemisphere_speed, horizon_accuracy, horizon_curvature, horizon_shadow, horizon_speed, markdown, relief_search,
+    relief_start, run,
 };
 use clap::{Parser, Subcommand};
 
@@ -93,8 +96,13 @@ fn measure(scale: Scale, only: &[String]) -> Result<()> {
         }
         eprintln!("\n> {}", block.name());
         let records = records(block, scale, machine.cores)?;
-        let csv = RecordFile { machine: machine.to_string(), records }.to_csv()?;
-        write(&folder.join(block.name()).with_extension("csv"), &csv)?;
+        let path = folder.join(block.name()).with_extension("csv");
+        let mut file = RecordFile { machine: machine.to_string(), records };
+        if let Some(previous) = read(&path)? {
+            file = file.with_other_devices(&RecordFile::from_csv(&previous)?);
+        }
+        let csv = file.to_csv()?;
+        write(&path, &csv)?;
         if scale == Scale::Quick {
             write_charts(block, Some(&csv), &folder)?;
         }
@@ -120,6 +128,9 @@ fn records(block: Block, scale: Scale, cores: usize) -> Result<Vec<Record>> {
         Block::ReliefStart => starts(scale, cores),
         Block::HemisphereOcclusion => occlusions(scale, cores),
         Block::HemisphereSpeed => Ok(hemisphere_speed::measure(&hemisphere_speed::study(scale, cores), &mut announce)?),
+        Block::GpuTime => gpu_times(scale, cores),
+        Block::GpuUpload => Ok(gpu_upload::measure(&gpu_upload::study(scale), &mut announce)?),
+        Block::GpuSize => programs::weigh(scale),
     }
 }
 
@@ -224,6 +235,11 @@ fn occlusions(scale: Scale, cores: usize) -> Result<Vec<Record>> {
     let exec = Exec::new(cores)?;
     let (study, scenes) = hemisphere_occlusion::parts(scale, &exec)?;
     Ok(hemisphere_occlusion::measure(&study, &scenes, &mut announce)?)
+}
+
+fn gpu_times(scale: Scale, cores: usize) -> Result<Vec<Record>> {
+    let exec = Exec::new(cores)?;
+    Ok(gpu_time::measure(&gpu_time::study(scale, &exec), &mut announce)?)
 }
 
 /// Real terrain, as `samples/jacksboro.ron` describes it; a quick run does without.
