@@ -15,7 +15,8 @@ use crate::run::{cargo_program, root};
 const ARROWS: [(&str, &[&str]); 12] = [
     ("asset", &[]),
     ("bakers", &["asset", "field"]),
-    ("cli", &["asset", "field", "import", "metrics", "pipeline", "shade"]),
+    // The last two by the feature `gpu` alone, which `TREES` sees to.
+    ("cli", &["asset", "field", "import", "metrics", "pipeline", "shade", "view", "wgpu"]),
     ("field", &[]),
     ("import", &["field"]),
     ("metrics", &[]),
@@ -34,8 +35,8 @@ const TREES: [(&str, &str, &[&str]); 3] = [
     // What a game links is the format and the reader, whatever the features; and with a device of its own, nothing else at all.
     ("-p barchan-wgpu --all-features", "barchan-", &["barchan-asset", "barchan-wgpu"]),
     ("-p barchan-wgpu --no-default-features", "", &["barchan-asset", "barchan-wgpu"]),
-    // The program, without a GPU.
-    ("-p barchan-cli --no-default-features", "wgpu", &[]),
+    // The program as it is built by default, without a GPU.
+    ("-p barchan-cli", "wgpu", &[]),
 ];
 
 /// Documents whose relative links must lead somewhere.
