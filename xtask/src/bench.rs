@@ -3,7 +3,7 @@
 use anyhow::Result;
 use clap::Args;
 
-use crate::run::cargo;
+use crate::run::{cargo, example};
 
 #[derive(Args)]
 pub(crate) struct Options {
@@ -30,5 +30,5 @@ pub(crate) fn bench(options: &Options) -> Result<()> {
 
 /// Fails if the tables of MEASUREMENTS.md or the charts are not those of the records.
 pub(crate) fn check() -> Result<()> {
-    cargo("run --quiet -p barchan-study --example study -- check")
+    example("study", "check")
 }

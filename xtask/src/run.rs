@@ -25,6 +25,20 @@ pub(crate) fn cargo_with(arguments: &str, variables: &[(&str, &str)]) -> Result<
     run(&mut command, arguments)
 }
 
+/// Runs an example. It is built with the features of the whole workspace, as the tests are: by itself it would have its own, and cargo
+/// would build all it stands on a second time.
+pub(crate) fn example(name: &str, arguments: &str) -> Result<()> {
+    cargo(&format!("build --quiet --workspace --all-features --example {name}"))?;
+    let program = target().join("debug/examples").join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
+    eprintln!("\n> {name} {arguments}");
+    run(Command::new(program).args(arguments.split_whitespace()), name)
+}
+
+/// The folder that cargo builds into, wherever this machine keeps it.
+pub(crate) fn target() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
+}
+
 /// Runs a command from the root and fails if it does.
 pub(crate) fn run(command: &mut Command, name: &str) -> Result<()> {
     let status = command.current_dir(root()).status().with_context(|| format!("`{name}` cannot be started"))?;

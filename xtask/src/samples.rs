@@ -6,7 +6,7 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 
-use crate::run::{cargo, root, run};
+use crate::run::{cargo, root, run, target};
 
 /// A lit picture of the gallery: its name, its recipe, and how it is drawn.
 struct Picture {
@@ -83,10 +83,9 @@ pub(crate) fn samples() -> Result<()> {
     cargo("run --release --quiet -p barchan-study --example study -- pictures")
 }
 
-/// The program that cargo just built, wherever this machine keeps built things.
+/// The program that cargo just built.
 fn program() -> Result<PathBuf> {
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
-    let program = target.join("release").join(format!("barchan{}", std::env::consts::EXE_SUFFIX));
+    let program = target().join("release").join(format!("barchan{}", std::env::consts::EXE_SUFFIX));
     ensure!(program.exists(), "{} was not built", program.display());
     Ok(program)
 }

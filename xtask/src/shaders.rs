@@ -7,17 +7,17 @@ use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
 
-use crate::run::{cargo, root};
+use crate::run::{example, root};
 
 /// Writes `crates/wgpu/shaders`, and has it compiled.
 pub(crate) fn shaders() -> Result<()> {
-    cargo("run --quiet -p barchan-wgpu --example shaders -- write")?;
+    example("shaders", "write")?;
     compile()
 }
 
 /// Fails if the published shaders are not what the source gives, or do not compile.
 pub(crate) fn check() -> Result<()> {
-    cargo("run --quiet -p barchan-wgpu --example shaders -- check")?;
+    example("shaders", "check")?;
     compile()
 }
 

@@ -44,17 +44,17 @@ struct BarchanGradients {
     int _end_pad_0;
 };
 
-struct BarchanPoint {
-    float sine;
-    float cosine;
-    float distance_;
-};
-
 struct BarchanGround {
     float curvature;
     float stretch;
     float lowest;
     float floor_curvature;
+};
+
+struct BarchanPoint {
+    float sine;
+    float cosine;
+    float distance_;
 };
 
 struct BarchanProbe {
@@ -78,10 +78,10 @@ static const uint BARCHAN_HEIGHT = 0u;
 static const uint BARCHAN_HORIZON = 1u;
 static const uint BARCHAN_DISTANCE = 2u;
 static const float BARCHAN_TURN = 6.2831855;
-static const float BARCHAN_LEAST_COSINE = 7.549789e-8;
-static const float BARCHAN_GREATEST_ELEVATION = 1.5707963;
 static const float BARCHAN_NO_HORIZON = -3.4e38;
 static const float BARCHAN_CLOSED = 3.4e38;
+static const float BARCHAN_GREATEST_ELEVATION = 1.5707963;
+static const float BARCHAN_LEAST_COSINE = 7.549789e-8;
 
 cbuffer barchan_tables : register(b0) { BarchanTable barchan_tables[12]; }
 Texture2D<float4> barchan_height_texels : register(t2);
@@ -399,8 +399,8 @@ BarchanTangentLight barchan_tangent_light(float3 along_u_3, float3 along_v_3, fl
 {
     bool local_2 = (bool)0;
 
-    float height_3 = dot(towards, normal_1);
-    float3 tangent_1 = (towards - (normal_1 * height_3));
+    float height_4 = dot(towards, normal_1);
+    float3 tangent_1 = (towards - (normal_1 * height_4));
     float level_1 = length(tangent_1);
     const float2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_1);
     float2 on_grid = (_e9 * extent);
@@ -412,11 +412,11 @@ BarchanTangentLight barchan_tangent_light(float3 along_u_3, float3 along_v_3, fl
     }
     bool _e19 = local_2;
     if (!(_e19)) {
-        const BarchanTangentLight barchantangentlight = ConstructBarchanTangentLight(height_3, level_1, _e9, 0.0, 1.0);
+        const BarchanTangentLight barchantangentlight = ConstructBarchanTangentLight(height_4, level_1, _e9, 0.0, 1.0);
         return barchantangentlight;
     }
     const float _e24 = barchan_azimuth(on_grid);
-    const BarchanTangentLight barchantangentlight_1 = ConstructBarchanTangentLight(height_3, level_1, _e9, _e24, (level_1 / grid_length));
+    const BarchanTangentLight barchantangentlight_1 = ConstructBarchanTangentLight(height_4, level_1, _e9, _e24, (level_1 / grid_length));
     return barchantangentlight_1;
 }
 
@@ -446,9 +446,9 @@ float barchan_curvature_along(float3 first_1, float3 second_1, float2 direction_
     return (dot(second_1, products) / length_squared);
 }
 
-int barchan_points()
+float barchan_further_slope(BarchanGround ground, int2 texel, float height, int azimuth_1)
 {
-    return int(1);
+    return BARCHAN_NO_HORIZON;
 }
 
 BarchanPoint ConstructBarchanPoint(float arg0, float arg1, float arg2) {
@@ -470,15 +470,6 @@ BarchanPoint barchan_point_of(uint table_10, float stored_4, float distance_)
     const float2 _e24 = barchan_sine_cosine(clamp(stored_4, -1.5707963, BARCHAN_GREATEST_ELEVATION));
     const BarchanPoint barchanpoint_1 = ConstructBarchanPoint(_e24.x, max(_e24.y, BARCHAN_LEAST_COSINE), distance_);
     return barchanpoint_1;
-}
-
-BarchanPoint barchan_point(int point_, int2 texel, int azimuth_1)
-{
-    const float _e3 = barchan_horizon_before_transfer(texel, azimuth_1);
-    const float _e5 = barchan_distance_texel(texel, azimuth_1);
-    const BarchanPoint _e6 = barchan_point_of(BARCHAN_HORIZON, _e3, _e5);
-    const BarchanPoint barchanpoint_2 = _e6;
-    return barchanpoint_2;
 }
 
 BarchanGround ConstructBarchanGround(float arg0, float arg1, float arg2, float arg3) {
@@ -509,13 +500,13 @@ float barchan_sinc(float x, float sine_1)
     return (sine_1 / x);
 }
 
-float barchan_carried_slope(BarchanGround ground, BarchanPoint point_1, float height)
+float barchan_carried_slope(BarchanGround ground_1, BarchanPoint point_, float height_1)
 {
     bool local_3 = (bool)0;
     bool local_4 = (bool)0;
 
-    float angle_3 = (ground.curvature * (ground.stretch * point_1.distance_));
-    float raised = (1.0 + (ground.curvature * height));
+    float angle_3 = (ground_1.curvature * (ground_1.stretch * point_.distance_));
+    float raised = (1.0 + (ground_1.curvature * height_1));
     if ((angle_3 < 1.5707963)) {
         local_3 = (angle_3 > -3.1415925);
     } else {
@@ -531,72 +522,52 @@ float barchan_carried_slope(BarchanGround ground, BarchanPoint point_1, float he
     if (!(_e25)) {
         return BARCHAN_NO_HORIZON;
     }
-    float run = (point_1.cosine * ground.stretch);
-    float widened_1 = ((run * raised) + (angle_3 * point_1.sine));
+    float run = (point_.cosine * ground_1.stretch);
+    float widened_1 = ((run * raised) + (angle_3 * point_.sine));
     if (!((widened_1 > 0.0))) {
-        return ((ground.curvature > 0.0) ? BARCHAN_NO_HORIZON : BARCHAN_CLOSED);
+        return ((ground_1.curvature > 0.0) ? BARCHAN_NO_HORIZON : BARCHAN_CLOSED);
     }
     const float2 _e46 = barchan_sine_cosine((0.5 * angle_3));
     const float _e50 = barchan_sinc((0.5 * angle_3), _e46.x);
-    float rise = ((point_1.sine * (1.0 - ((2.0 * _e46.x) * _e46.x))) - (((run * raised) * _e46.x) * _e50));
+    float rise = ((point_.sine * (1.0 - ((2.0 * _e46.x) * _e46.x))) - (((run * raised) * _e46.x) * _e50));
     return clamp((rise / ((widened_1 * _e50) * _e46.y)), BARCHAN_NO_HORIZON, BARCHAN_CLOSED);
 }
 
-float barchan_smooth_slope(BarchanGround ground_1, float height_1)
+float barchan_smooth_slope(BarchanGround ground_2, float height_2)
 {
-    if ((ground_1.floor_curvature <= 0.0)) {
+    if ((ground_2.floor_curvature <= 0.0)) {
         return BARCHAN_NO_HORIZON;
     }
-    float raised_1 = max((ground_1.floor_curvature * (height_1 - ground_1.lowest)), 0.0);
+    float raised_1 = max((ground_2.floor_curvature * (height_2 - ground_2.lowest)), 0.0);
     return -(sqrt((raised_1 * (2.0 + raised_1))));
 }
 
-float barchan_curved_towards(BarchanGround ground_2, int2 texel_1, float height_2, int azimuth_2)
+float barchan_curved_towards(BarchanGround ground_3, int2 texel_1, float height_3, int azimuth_2)
 {
-    float slope = (float)0;
-    int point_2 = int(0);
-
-    const float _e4 = barchan_smooth_slope(ground_2, height_2);
-    slope = _e4;
-    const int _e6 = barchan_points();
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            int _e17 = point_2;
-            point_2 = asint(asuint(_e17) + asuint(int(1)));
-        }
-        loop_init = false;
-        int _e9 = point_2;
-        if ((_e9 < _e6)) {
-        } else {
-            break;
-        }
-        {
-            float _e11 = slope;
-            int _e12 = point_2;
-            const BarchanPoint _e13 = barchan_point(_e12, texel_1, azimuth_2);
-            const float _e14 = barchan_carried_slope(ground_2, _e13, height_2);
-            slope = max(_e11, _e14);
-        }
-    }
-    float _e19 = slope;
-    const float _e20 = barchan_arctangent(_e19);
-    return _e20;
+    const float _e4 = barchan_horizon_before_transfer(texel_1, azimuth_2);
+    const float _e6 = barchan_distance_texel(texel_1, azimuth_2);
+    const BarchanPoint _e7 = barchan_point_of(BARCHAN_HORIZON, _e4, _e6);
+    const float _e8 = barchan_smooth_slope(ground_3, height_3);
+    const float _e9 = barchan_carried_slope(ground_3, _e7, height_3);
+    float slope = max(_e8, _e9);
+    const float _e11 = barchan_further_slope(ground_3, texel_1, height_3, azimuth_2);
+    const float _e13 = barchan_arctangent(max(slope, _e11));
+    return _e13;
 }
 
-float barchan_curved_texel(BarchanGround ground_3, int2 texel_2, BarchanNeighbours beside)
+float barchan_curved_texel(BarchanGround ground_4, int2 texel_2, BarchanNeighbours beside)
 {
     float elevation = 0.0;
     int side = int(0);
 
     const float _e4 = barchan_height_texel(texel_2, int(0));
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
+        if (!loop_init) {
             int _e33 = side;
             side = asint(asuint(_e33) + asuint(int(1)));
         }
-        loop_init_1 = false;
+        loop_init = false;
         int _e9 = side;
         if ((_e9 < int(2))) {
         } else {
@@ -609,7 +580,7 @@ float barchan_curved_texel(BarchanGround ground_3, int2 texel_2, BarchanNeighbou
                 int _e24 = side;
                 int azimuth_3 = ((_e24 == int(1)) ? beside.second : beside.first);
                 float _e28 = elevation;
-                const float _e29 = barchan_curved_towards(ground_3, texel_2, _e4, azimuth_3);
+                const float _e29 = barchan_curved_towards(ground_4, texel_2, _e4, azimuth_3);
                 elevation = (_e28 + (weight_1 * _e29));
             }
         }
@@ -628,13 +599,13 @@ float barchan_curved_elevation(float2 place_7, BarchanTangentLight light, float 
     const BarchanNeighbours _e11 = barchan_neighbours(BARCHAN_HORIZON, light.azimuth);
     float2 corner = floor(place_7);
     float2 part_1 = (place_7 - corner);
-    bool loop_init_2 = true;
+    bool loop_init_1 = true;
     while(true) {
-        if (!loop_init_2) {
+        if (!loop_init_1) {
             int _e45 = tap;
             tap = asint(asuint(_e45) + asuint(int(1)));
         }
-        loop_init_2 = false;
+        loop_init_1 = false;
         int _e18 = tap;
         if ((_e18 < int(4))) {
         } else {

@@ -47,16 +47,16 @@ struct BarchanGradients {
     metal::float3 of_u;
     metal::float3 of_v;
 };
-struct BarchanPoint {
-    float sine;
-    float cosine;
-    float distance;
-};
 struct BarchanGround {
     float curvature;
     float stretch;
     float lowest;
     float floor_curvature;
+};
+struct BarchanPoint {
+    float sine;
+    float cosine;
+    float distance;
 };
 struct BarchanProbe {
     metal::float2 place;
@@ -78,10 +78,10 @@ constant uint BARCHAN_HEIGHT = 0u;
 constant uint BARCHAN_HORIZON = 1u;
 constant uint BARCHAN_DISTANCE = 2u;
 constant float BARCHAN_TURN = 6.2831855;
-constant float BARCHAN_LEAST_COSINE = 0.00000007549789;
-constant float BARCHAN_GREATEST_ELEVATION = 1.5707963;
 constant float BARCHAN_NO_HORIZON = -340000000000000000000000000000000000000.0;
 constant float BARCHAN_CLOSED = 340000000000000000000000000000000000000.0;
+constant float BARCHAN_GREATEST_ELEVATION = 1.5707963;
+constant float BARCHAN_LEAST_COSINE = 0.00000007549789;
 
 float barchan_arcsine(
     float sine
@@ -428,8 +428,8 @@ BarchanTangentLight barchan_tangent_light(
     metal::float2 extent
 ) {
     bool local_2 = {};
-    float height_3 = metal::dot(towards, normal_1);
-    metal::float3 tangent_1 = towards - (normal_1 * height_3);
+    float height_4 = metal::dot(towards, normal_1);
+    metal::float3 tangent_1 = towards - (normal_1 * height_4);
     float level_1 = metal::length(tangent_1);
     metal::float2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_1);
     metal::float2 on_grid = _e9 * extent;
@@ -441,10 +441,10 @@ BarchanTangentLight barchan_tangent_light(
     }
     bool _e19 = local_2;
     if (!(_e19)) {
-        return BarchanTangentLight {height_3, level_1, _e9, 0.0, 1.0};
+        return BarchanTangentLight {height_4, level_1, _e9, 0.0, 1.0};
     }
     float _e24 = barchan_azimuth(on_grid);
-    return BarchanTangentLight {height_3, level_1, _e9, _e24, level_1 / grid_length};
+    return BarchanTangentLight {height_4, level_1, _e9, _e24, level_1 / grid_length};
 }
 
 float barchan_mean_curvature(
@@ -478,9 +478,13 @@ float barchan_curvature_along(
     return metal::dot(second_1, products) / length_squared;
 }
 
-int barchan_points(
+float barchan_further_slope(
+    BarchanGround ground,
+    metal::int2 texel,
+    float height,
+    int azimuth_1
 ) {
-    return 1;
+    return BARCHAN_NO_HORIZON;
 }
 
 BarchanPoint barchan_point_of(
@@ -496,20 +500,6 @@ BarchanPoint barchan_point_of(
     }
     metal::float2 _e24 = barchan_sine_cosine(metal::clamp(stored_4, -1.5707963, BARCHAN_GREATEST_ELEVATION));
     return BarchanPoint {_e24.x, metal::max(_e24.y, BARCHAN_LEAST_COSINE), distance};
-}
-
-BarchanPoint barchan_point(
-    int point,
-    metal::int2 texel,
-    int azimuth_1,
-    constant BarchanTables& barchan_tables,
-    metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
-    metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
-) {
-    float _e3 = barchan_horizon_before_transfer(texel, azimuth_1, barchan_tables, barchan_horizon_texels);
-    float _e5 = barchan_distance_texel(texel, azimuth_1, barchan_tables, barchan_distance_texels);
-    BarchanPoint _e6 = barchan_point_of(BARCHAN_HORIZON, _e3, _e5, barchan_tables);
-    return _e6;
 }
 
 BarchanGround barchan_ground(
@@ -535,14 +525,14 @@ float barchan_sinc(
 }
 
 float barchan_carried_slope(
-    BarchanGround ground,
-    BarchanPoint point_1,
-    float height
+    BarchanGround ground_1,
+    BarchanPoint point,
+    float height_1
 ) {
     bool local_3 = {};
     bool local_4 = {};
-    float angle_3 = ground.curvature * (ground.stretch * point_1.distance);
-    float raised = 1.0 + (ground.curvature * height);
+    float angle_3 = ground_1.curvature * (ground_1.stretch * point.distance);
+    float raised = 1.0 + (ground_1.curvature * height_1);
     if (angle_3 < 1.5707963) {
         local_3 = angle_3 > -3.1415925;
     } else {
@@ -558,69 +548,50 @@ float barchan_carried_slope(
     if (!(_e25)) {
         return BARCHAN_NO_HORIZON;
     }
-    float run = point_1.cosine * ground.stretch;
-    float widened_1 = (run * raised) + (angle_3 * point_1.sine);
+    float run = point.cosine * ground_1.stretch;
+    float widened_1 = (run * raised) + (angle_3 * point.sine);
     if (!((widened_1 > 0.0))) {
-        return (ground.curvature > 0.0) ? BARCHAN_NO_HORIZON : BARCHAN_CLOSED;
+        return (ground_1.curvature > 0.0) ? BARCHAN_NO_HORIZON : BARCHAN_CLOSED;
     }
     metal::float2 _e46 = barchan_sine_cosine(0.5 * angle_3);
     float _e50 = barchan_sinc(0.5 * angle_3, _e46.x);
-    float rise = (point_1.sine * (1.0 - ((2.0 * _e46.x) * _e46.x))) - (((run * raised) * _e46.x) * _e50);
+    float rise = (point.sine * (1.0 - ((2.0 * _e46.x) * _e46.x))) - (((run * raised) * _e46.x) * _e50);
     return metal::clamp(rise / ((widened_1 * _e50) * _e46.y), BARCHAN_NO_HORIZON, BARCHAN_CLOSED);
 }
 
 float barchan_smooth_slope(
-    BarchanGround ground_1,
-    float height_1
+    BarchanGround ground_2,
+    float height_2
 ) {
-    if (ground_1.floor_curvature <= 0.0) {
+    if (ground_2.floor_curvature <= 0.0) {
         return BARCHAN_NO_HORIZON;
     }
-    float raised_1 = metal::max(ground_1.floor_curvature * (height_1 - ground_1.lowest), 0.0);
+    float raised_1 = metal::max(ground_2.floor_curvature * (height_2 - ground_2.lowest), 0.0);
     return -(metal::sqrt(raised_1 * (2.0 + raised_1)));
 }
 
 float barchan_curved_towards(
-    BarchanGround ground_2,
+    BarchanGround ground_3,
     metal::int2 texel_1,
-    float height_2,
+    float height_3,
     int azimuth_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_distance_texels
 ) {
-    float slope = {};
-    int point_2 = 0;
-    float _e4 = barchan_smooth_slope(ground_2, height_2);
-    slope = _e4;
-    int _e6 = barchan_points();
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            int _e17 = point_2;
-            point_2 = as_type<int>(as_type<uint>(_e17) + as_type<uint>(1));
-        }
-        loop_init = false;
-        int _e9 = point_2;
-        if (_e9 < _e6) {
-        } else {
-            break;
-        }
-        {
-            float _e11 = slope;
-            int _e12 = point_2;
-            BarchanPoint _e13 = barchan_point(_e12, texel_1, azimuth_2, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
-            float _e14 = barchan_carried_slope(ground_2, _e13, height_2);
-            slope = metal::max(_e11, _e14);
-        }
-    }
-    float _e19 = slope;
-    float _e20 = barchan_arctangent(_e19);
-    return _e20;
+    float _e4 = barchan_horizon_before_transfer(texel_1, azimuth_2, barchan_tables, barchan_horizon_texels);
+    float _e6 = barchan_distance_texel(texel_1, azimuth_2, barchan_tables, barchan_distance_texels);
+    BarchanPoint _e7 = barchan_point_of(BARCHAN_HORIZON, _e4, _e6, barchan_tables);
+    float _e8 = barchan_smooth_slope(ground_3, height_3);
+    float _e9 = barchan_carried_slope(ground_3, _e7, height_3);
+    float slope = metal::max(_e8, _e9);
+    float _e11 = barchan_further_slope(ground_3, texel_1, height_3, azimuth_2);
+    float _e13 = barchan_arctangent(metal::max(slope, _e11));
+    return _e13;
 }
 
 float barchan_curved_texel(
-    BarchanGround ground_3,
+    BarchanGround ground_4,
     metal::int2 texel_2,
     BarchanNeighbours beside,
     constant BarchanTables& barchan_tables,
@@ -631,13 +602,13 @@ float barchan_curved_texel(
     float elevation = 0.0;
     int side = 0;
     float _e4 = barchan_height_texel(texel_2, 0, barchan_tables, barchan_height_texels);
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
+        if (!loop_init) {
             int _e33 = side;
             side = as_type<int>(as_type<uint>(_e33) + as_type<uint>(1));
         }
-        loop_init_1 = false;
+        loop_init = false;
         int _e9 = side;
         if (_e9 < 2) {
         } else {
@@ -650,7 +621,7 @@ float barchan_curved_texel(
                 int _e24 = side;
                 int azimuth_3 = (_e24 == 1) ? beside.second : beside.first;
                 float _e28 = elevation;
-                float _e29 = barchan_curved_towards(ground_3, texel_2, _e4, azimuth_3, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
+                float _e29 = barchan_curved_towards(ground_4, texel_2, _e4, azimuth_3, barchan_tables, barchan_horizon_texels, barchan_distance_texels);
                 elevation = _e28 + (weight_1 * _e29);
             }
         }
@@ -675,13 +646,13 @@ float barchan_curved_elevation(
     BarchanNeighbours _e11 = barchan_neighbours(BARCHAN_HORIZON, light.azimuth, barchan_tables);
     metal::float2 corner = metal::floor(place_7);
     metal::float2 part_1 = place_7 - corner;
-    bool loop_init_2 = true;
+    bool loop_init_1 = true;
     while(true) {
-        if (!loop_init_2) {
+        if (!loop_init_1) {
             int _e45 = tap;
             tap = as_type<int>(as_type<uint>(_e45) + as_type<uint>(1));
         }
-        loop_init_2 = false;
+        loop_init_1 = false;
         int _e18 = tap;
         if (_e18 < 4) {
         } else {

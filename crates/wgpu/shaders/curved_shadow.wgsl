@@ -344,15 +344,10 @@ fn barchan_mean_curvature(first: vec3<f32>, second: vec3<f32>) -> f32 {
     return (second.x * first.z - 2.0 * second.y * first.y + second.z * first.x) / (2.0 * area_squared);
 }
 
-// The points of a map for flat surfaces: one of each texel and azimuth, the paper's table.
+// A map for flat surfaces has one point of each texel and azimuth, the paper's table, and no further ones.
 
-fn barchan_points() -> i32 {
-    return 1;
-}
-
-fn barchan_point(point: i32, texel: vec2<i32>, azimuth: i32) -> BarchanPoint {
-    let elevation = barchan_horizon_before_transfer(texel, azimuth);
-    return barchan_point_of(BARCHAN_HORIZON, elevation, barchan_distance_texel(texel, azimuth));
+fn barchan_further_slope(ground: BarchanGround, texel: vec2<i32>, height: f32, azimuth: i32) -> f32 {
+    return BARCHAN_NO_HORIZON;
 }
 
 // Shadows of relief on a curved surface, convex or concave, from baked points.
@@ -456,12 +451,10 @@ fn barchan_smooth_slope(ground: BarchanGround, height: f32) -> f32 {
 
 // The elevation of a texel's horizon in one azimuth.
 fn barchan_curved_towards(ground: BarchanGround, texel: vec2<i32>, height: f32, azimuth: i32) -> f32 {
-    var slope = barchan_smooth_slope(ground, height);
-    let points = barchan_points();
-    for (var point = 0; point < points; point++) {
-        slope = max(slope, barchan_carried_slope(ground, barchan_point(point, texel, azimuth), height));
-    }
-    return barchan_arctangent(slope);
+    let elevation = barchan_horizon_before_transfer(texel, azimuth);
+    let point = barchan_point_of(BARCHAN_HORIZON, elevation, barchan_distance_texel(texel, azimuth));
+    let slope = max(barchan_smooth_slope(ground, height), barchan_carried_slope(ground, point, height));
+    return barchan_arctangent(max(slope, barchan_further_slope(ground, texel, height, azimuth)));
 }
 
 // The elevation of a texel's horizon between two azimuths.

@@ -43,16 +43,16 @@ struct BarchanGradients {
     vec3 of_u;
     vec3 of_v;
 };
-struct BarchanPoint {
-    float sine;
-    float cosine;
-    float distance_;
-};
 struct BarchanGround {
     float curvature;
     float stretch;
     float lowest;
     float floor_curvature;
+};
+struct BarchanPoint {
+    float sine;
+    float cosine;
+    float distance_;
 };
 struct BarchanProbe {
     vec2 place;
@@ -76,9 +76,9 @@ const uint BARCHAN_DISTANCE = 2u;
 const uint BARCHAN_SWEPT_HORIZON = 3u;
 const uint BARCHAN_SWEPT_DISTANCE = 4u;
 const float BARCHAN_TURN = 6.2831855;
+const float BARCHAN_NO_HORIZON = -3.4e38;
 const float BARCHAN_LEAST_COSINE = 7.549789e-8;
 const float BARCHAN_GREATEST_ELEVATION = 1.5707963;
-const float BARCHAN_NO_HORIZON = -3.4e38;
 const float BARCHAN_CLOSED = 3.4e38;
 
 layout(std140) uniform BarchanTables_block_0Fragment { BarchanTable _group_0_binding_0_fs[12]; };
@@ -351,8 +351,8 @@ vec3 barchan_bump_normal(vec3 along_u_2, vec3 along_v_2, vec3 normal, vec2 per_u
 
 BarchanTangentLight barchan_tangent_light(vec3 along_u_3, vec3 along_v_3, vec3 normal_1, vec3 towards, vec2 extent) {
     bool local_2 = false;
-    float height_3 = dot(towards, normal_1);
-    vec3 tangent_1 = (towards - (normal_1 * height_3));
+    float height_4 = dot(towards, normal_1);
+    vec3 tangent_1 = (towards - (normal_1 * height_4));
     float level_1 = length(tangent_1);
     vec2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_1);
     vec2 on_grid = (_e9 * extent);
@@ -364,10 +364,10 @@ BarchanTangentLight barchan_tangent_light(vec3 along_u_3, vec3 along_v_3, vec3 n
     }
     bool _e19 = local_2;
     if (!(_e19)) {
-        return BarchanTangentLight(height_3, level_1, _e9, 0.0, 1.0);
+        return BarchanTangentLight(height_4, level_1, _e9, 0.0, 1.0);
     }
     float _e24 = barchan_azimuth(on_grid);
-    return BarchanTangentLight(height_3, level_1, _e9, _e24, (level_1 / grid_length));
+    return BarchanTangentLight(height_4, level_1, _e9, _e24, (level_1 / grid_length));
 }
 
 float barchan_mean_curvature(vec3 first, vec3 second) {
@@ -394,12 +394,6 @@ float barchan_curvature_along(vec3 first_1, vec3 second_1, vec2 direction_1) {
     return (dot(second_1, products) / length_squared);
 }
 
-int barchan_points() {
-    uint elevations = _group_0_binding_0_fs[3].candidates;
-    uint distances = _group_0_binding_0_fs[4].candidates;
-    return (1 + int(min(min(elevations, distances), 7u)));
-}
-
 BarchanPoint barchan_point_of(uint table_10, float stored_4, float distance_) {
     uint _e6 = _group_0_binding_0_fs[table_10].transfer;
     if ((_e6 == 1u)) {
@@ -410,29 +404,6 @@ BarchanPoint barchan_point_of(uint table_10, float stored_4, float distance_) {
     return BarchanPoint(_e24.x, max(_e24.y, BARCHAN_LEAST_COSINE), distance_);
 }
 
-BarchanPoint barchan_point(int point, ivec2 texel, int azimuth_1) {
-    if ((point == 0)) {
-        float _e5 = barchan_horizon_before_transfer(texel, azimuth_1);
-        float _e7 = barchan_distance_texel(texel, azimuth_1);
-        BarchanPoint _e8 = barchan_point_of(BARCHAN_HORIZON, _e5, _e7);
-        return _e8;
-    }
-    uint _e14 = _group_0_binding_0_fs[3].azimuths;
-    int layer_10 = (((point - 1) * int(_e14)) + azimuth_1);
-    float _e18 = barchan_swept_horizon_before_transfer(texel, layer_10);
-    float _e20 = barchan_swept_distance_texel(texel, layer_10);
-    BarchanPoint _e21 = barchan_point_of(BARCHAN_SWEPT_HORIZON, _e18, _e20);
-    return _e21;
-}
-
-BarchanGround barchan_ground(float curvature, float stretch, float lowest) {
-    float widened = (1.0 + (curvature * lowest));
-    if (!(((curvature * widened) > 0.0))) {
-        return BarchanGround(curvature, stretch, lowest, 0.0);
-    }
-    return BarchanGround(curvature, stretch, lowest, min((curvature / widened), 1e30));
-}
-
 float barchan_sinc(float x, float sine_1) {
     if ((abs(x) < 0.04)) {
         return (1.0 - ((x * x) / 6.0));
@@ -440,10 +411,10 @@ float barchan_sinc(float x, float sine_1) {
     return (sine_1 / x);
 }
 
-float barchan_carried_slope(BarchanGround ground, BarchanPoint point_1, float height) {
+float barchan_carried_slope(BarchanGround ground, BarchanPoint point, float height) {
     bool local_3 = false;
     bool local_4 = false;
-    float angle_3 = (ground.curvature * (ground.stretch * point_1.distance_));
+    float angle_3 = (ground.curvature * (ground.stretch * point.distance_));
     float raised = (1.0 + (ground.curvature * height));
     if ((angle_3 < 1.5707963)) {
         local_3 = (angle_3 > -3.1415925);
@@ -460,57 +431,80 @@ float barchan_carried_slope(BarchanGround ground, BarchanPoint point_1, float he
     if (!(_e25)) {
         return BARCHAN_NO_HORIZON;
     }
-    float run = (point_1.cosine * ground.stretch);
-    float widened_1 = ((run * raised) + (angle_3 * point_1.sine));
-    if (!((widened_1 > 0.0))) {
+    float run = (point.cosine * ground.stretch);
+    float widened = ((run * raised) + (angle_3 * point.sine));
+    if (!((widened > 0.0))) {
         return ((ground.curvature > 0.0) ? BARCHAN_NO_HORIZON : BARCHAN_CLOSED);
     }
     vec2 _e46 = barchan_sine_cosine((0.5 * angle_3));
     float _e50 = barchan_sinc((0.5 * angle_3), _e46.x);
-    float rise = ((point_1.sine * (1.0 - ((2.0 * _e46.x) * _e46.x))) - (((run * raised) * _e46.x) * _e50));
-    return clamp((rise / ((widened_1 * _e50) * _e46.y)), BARCHAN_NO_HORIZON, BARCHAN_CLOSED);
+    float rise = ((point.sine * (1.0 - ((2.0 * _e46.x) * _e46.x))) - (((run * raised) * _e46.x) * _e50));
+    return clamp((rise / ((widened * _e50) * _e46.y)), BARCHAN_NO_HORIZON, BARCHAN_CLOSED);
 }
 
-float barchan_smooth_slope(BarchanGround ground_1, float height_1) {
-    if ((ground_1.floor_curvature <= 0.0)) {
-        return BARCHAN_NO_HORIZON;
-    }
-    float raised_1 = max((ground_1.floor_curvature * (height_1 - ground_1.lowest)), 0.0);
-    return -(sqrt((raised_1 * (2.0 + raised_1))));
-}
-
-float barchan_curved_towards(BarchanGround ground_2, ivec2 texel_1, float height_2, int azimuth_2) {
-    float slope = 0.0;
-    int point_2 = 0;
-    float _e4 = barchan_smooth_slope(ground_2, height_2);
-    slope = _e4;
-    int _e6 = barchan_points();
+float barchan_further_slope(BarchanGround ground_1, ivec2 texel, float height_1, int azimuth_1) {
+    float slope = BARCHAN_NO_HORIZON;
+    int candidate = 0;
+    uint elevations = _group_0_binding_0_fs[3].candidates;
+    uint distances = _group_0_binding_0_fs[4].candidates;
+    int candidates = int(min(min(elevations, distances), 7u));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e17 = point_2;
-            point_2 = (_e17 + 1);
+            int _e38 = candidate;
+            candidate = (_e38 + 1);
         }
         loop_init = false;
-        int _e9 = point_2;
-        if ((_e9 < _e6)) {
+        int _e20 = candidate;
+        if ((_e20 < candidates)) {
         } else {
             break;
         }
         {
-            float _e11 = slope;
-            int _e12 = point_2;
-            BarchanPoint _e13 = barchan_point(_e12, texel_1, azimuth_2);
-            float _e14 = barchan_carried_slope(ground_2, _e13, height_2);
-            slope = max(_e11, _e14);
+            int _e22 = candidate;
+            uint _e26 = _group_0_binding_0_fs[3].azimuths;
+            int layer_10 = ((_e22 * int(_e26)) + azimuth_1);
+            float _e30 = barchan_swept_horizon_before_transfer(texel, layer_10);
+            float _e32 = barchan_swept_distance_texel(texel, layer_10);
+            BarchanPoint _e33 = barchan_point_of(BARCHAN_SWEPT_HORIZON, _e30, _e32);
+            float _e34 = slope;
+            float _e35 = barchan_carried_slope(ground_1, _e33, height_1);
+            slope = max(_e34, _e35);
         }
     }
-    float _e19 = slope;
-    float _e20 = barchan_arctangent(_e19);
-    return _e20;
+    float _e40 = slope;
+    return _e40;
 }
 
-float barchan_curved_texel(BarchanGround ground_3, ivec2 texel_2, BarchanNeighbours beside) {
+BarchanGround barchan_ground(float curvature, float stretch, float lowest) {
+    float widened_1 = (1.0 + (curvature * lowest));
+    if (!(((curvature * widened_1) > 0.0))) {
+        return BarchanGround(curvature, stretch, lowest, 0.0);
+    }
+    return BarchanGround(curvature, stretch, lowest, min((curvature / widened_1), 1e30));
+}
+
+float barchan_smooth_slope(BarchanGround ground_2, float height_2) {
+    if ((ground_2.floor_curvature <= 0.0)) {
+        return BARCHAN_NO_HORIZON;
+    }
+    float raised_1 = max((ground_2.floor_curvature * (height_2 - ground_2.lowest)), 0.0);
+    return -(sqrt((raised_1 * (2.0 + raised_1))));
+}
+
+float barchan_curved_towards(BarchanGround ground_3, ivec2 texel_1, float height_3, int azimuth_2) {
+    float _e4 = barchan_horizon_before_transfer(texel_1, azimuth_2);
+    float _e6 = barchan_distance_texel(texel_1, azimuth_2);
+    BarchanPoint _e7 = barchan_point_of(BARCHAN_HORIZON, _e4, _e6);
+    float _e8 = barchan_smooth_slope(ground_3, height_3);
+    float _e9 = barchan_carried_slope(ground_3, _e7, height_3);
+    float slope_1 = max(_e8, _e9);
+    float _e11 = barchan_further_slope(ground_3, texel_1, height_3, azimuth_2);
+    float _e13 = barchan_arctangent(max(slope_1, _e11));
+    return _e13;
+}
+
+float barchan_curved_texel(BarchanGround ground_4, ivec2 texel_2, BarchanNeighbours beside) {
     float elevation = 0.0;
     int side = 0;
     float _e4 = barchan_height_texel(texel_2, 0);
@@ -533,7 +527,7 @@ float barchan_curved_texel(BarchanGround ground_3, ivec2 texel_2, BarchanNeighbo
                 int _e24 = side;
                 int azimuth_3 = ((_e24 == 1) ? beside.second : beside.first);
                 float _e28 = elevation;
-                float _e29 = barchan_curved_towards(ground_3, texel_2, _e4, azimuth_3);
+                float _e29 = barchan_curved_towards(ground_4, texel_2, _e4, azimuth_3);
                 elevation = (_e28 + (weight_1 * _e29));
             }
         }

@@ -44,17 +44,17 @@ struct BarchanGradients {
     int _end_pad_0;
 };
 
-struct BarchanPoint {
-    float sine;
-    float cosine;
-    float distance_;
-};
-
 struct BarchanGround {
     float curvature;
     float stretch;
     float lowest;
     float floor_curvature;
+};
+
+struct BarchanPoint {
+    float sine;
+    float cosine;
+    float distance_;
 };
 
 struct BarchanProbe {
@@ -80,9 +80,9 @@ static const uint BARCHAN_DISTANCE = 2u;
 static const uint BARCHAN_SWEPT_HORIZON = 3u;
 static const uint BARCHAN_SWEPT_DISTANCE = 4u;
 static const float BARCHAN_TURN = 6.2831855;
+static const float BARCHAN_NO_HORIZON = -3.4e38;
 static const float BARCHAN_LEAST_COSINE = 7.549789e-8;
 static const float BARCHAN_GREATEST_ELEVATION = 1.5707963;
-static const float BARCHAN_NO_HORIZON = -3.4e38;
 static const float BARCHAN_CLOSED = 3.4e38;
 
 cbuffer barchan_tables : register(b0) { BarchanTable barchan_tables[12]; }
@@ -433,8 +433,8 @@ BarchanTangentLight barchan_tangent_light(float3 along_u_3, float3 along_v_3, fl
 {
     bool local_2 = (bool)0;
 
-    float height_3 = dot(towards, normal_1);
-    float3 tangent_1 = (towards - (normal_1 * height_3));
+    float height_4 = dot(towards, normal_1);
+    float3 tangent_1 = (towards - (normal_1 * height_4));
     float level_1 = length(tangent_1);
     const float2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_1);
     float2 on_grid = (_e9 * extent);
@@ -446,11 +446,11 @@ BarchanTangentLight barchan_tangent_light(float3 along_u_3, float3 along_v_3, fl
     }
     bool _e19 = local_2;
     if (!(_e19)) {
-        const BarchanTangentLight barchantangentlight = ConstructBarchanTangentLight(height_3, level_1, _e9, 0.0, 1.0);
+        const BarchanTangentLight barchantangentlight = ConstructBarchanTangentLight(height_4, level_1, _e9, 0.0, 1.0);
         return barchantangentlight;
     }
     const float _e24 = barchan_azimuth(on_grid);
-    const BarchanTangentLight barchantangentlight_1 = ConstructBarchanTangentLight(height_3, level_1, _e9, _e24, (level_1 / grid_length));
+    const BarchanTangentLight barchantangentlight_1 = ConstructBarchanTangentLight(height_4, level_1, _e9, _e24, (level_1 / grid_length));
     return barchantangentlight_1;
 }
 
@@ -480,13 +480,6 @@ float barchan_curvature_along(float3 first_1, float3 second_1, float2 direction_
     return (dot(second_1, products) / length_squared);
 }
 
-int barchan_points()
-{
-    uint elevations = barchan_tables[3].candidates;
-    uint distances = barchan_tables[4].candidates;
-    return asint(asuint(int(1)) + asuint(int(min(min(elevations, distances), 7u))));
-}
-
 BarchanPoint ConstructBarchanPoint(float arg0, float arg1, float arg2) {
     BarchanPoint ret = (BarchanPoint)0;
     ret.sine = arg0;
@@ -508,44 +501,6 @@ BarchanPoint barchan_point_of(uint table_10, float stored_4, float distance_)
     return barchanpoint_1;
 }
 
-BarchanPoint barchan_point(int point_, int2 texel, int azimuth_1)
-{
-    if ((point_ == int(0))) {
-        const float _e5 = barchan_horizon_before_transfer(texel, azimuth_1);
-        const float _e7 = barchan_distance_texel(texel, azimuth_1);
-        const BarchanPoint _e8 = barchan_point_of(BARCHAN_HORIZON, _e5, _e7);
-        const BarchanPoint barchanpoint_2 = _e8;
-        return barchanpoint_2;
-    }
-    uint _e14 = barchan_tables[3].azimuths;
-    int layer_10 = asint(asuint(asint(asuint(asint(asuint(point_) - asuint(int(1)))) * asuint(int(_e14)))) + asuint(azimuth_1));
-    const float _e18 = barchan_swept_horizon_before_transfer(texel, layer_10);
-    const float _e20 = barchan_swept_distance_texel(texel, layer_10);
-    const BarchanPoint _e21 = barchan_point_of(BARCHAN_SWEPT_HORIZON, _e18, _e20);
-    const BarchanPoint barchanpoint_3 = _e21;
-    return barchanpoint_3;
-}
-
-BarchanGround ConstructBarchanGround(float arg0, float arg1, float arg2, float arg3) {
-    BarchanGround ret = (BarchanGround)0;
-    ret.curvature = arg0;
-    ret.stretch = arg1;
-    ret.lowest = arg2;
-    ret.floor_curvature = arg3;
-    return ret;
-}
-
-BarchanGround barchan_ground(float curvature, float stretch, float lowest)
-{
-    float widened = (1.0 + (curvature * lowest));
-    if (!(((curvature * widened) > 0.0))) {
-        const BarchanGround barchanground = ConstructBarchanGround(curvature, stretch, lowest, 0.0);
-        return barchanground;
-    }
-    const BarchanGround barchanground_1 = ConstructBarchanGround(curvature, stretch, lowest, min((curvature / widened), 1e30));
-    return barchanground_1;
-}
-
 float barchan_sinc(float x, float sine_1)
 {
     if ((abs(x) < 0.04)) {
@@ -554,12 +509,12 @@ float barchan_sinc(float x, float sine_1)
     return (sine_1 / x);
 }
 
-float barchan_carried_slope(BarchanGround ground, BarchanPoint point_1, float height)
+float barchan_carried_slope(BarchanGround ground, BarchanPoint point_, float height)
 {
     bool local_3 = (bool)0;
     bool local_4 = (bool)0;
 
-    float angle_3 = (ground.curvature * (ground.stretch * point_1.distance_));
+    float angle_3 = (ground.curvature * (ground.stretch * point_.distance_));
     float raised = (1.0 + (ground.curvature * height));
     if ((angle_3 < 1.5707963)) {
         local_3 = (angle_3 > -3.1415925);
@@ -576,60 +531,96 @@ float barchan_carried_slope(BarchanGround ground, BarchanPoint point_1, float he
     if (!(_e25)) {
         return BARCHAN_NO_HORIZON;
     }
-    float run = (point_1.cosine * ground.stretch);
-    float widened_1 = ((run * raised) + (angle_3 * point_1.sine));
-    if (!((widened_1 > 0.0))) {
+    float run = (point_.cosine * ground.stretch);
+    float widened = ((run * raised) + (angle_3 * point_.sine));
+    if (!((widened > 0.0))) {
         return ((ground.curvature > 0.0) ? BARCHAN_NO_HORIZON : BARCHAN_CLOSED);
     }
     const float2 _e46 = barchan_sine_cosine((0.5 * angle_3));
     const float _e50 = barchan_sinc((0.5 * angle_3), _e46.x);
-    float rise = ((point_1.sine * (1.0 - ((2.0 * _e46.x) * _e46.x))) - (((run * raised) * _e46.x) * _e50));
-    return clamp((rise / ((widened_1 * _e50) * _e46.y)), BARCHAN_NO_HORIZON, BARCHAN_CLOSED);
+    float rise = ((point_.sine * (1.0 - ((2.0 * _e46.x) * _e46.x))) - (((run * raised) * _e46.x) * _e50));
+    return clamp((rise / ((widened * _e50) * _e46.y)), BARCHAN_NO_HORIZON, BARCHAN_CLOSED);
 }
 
-float barchan_smooth_slope(BarchanGround ground_1, float height_1)
+float barchan_further_slope(BarchanGround ground_1, int2 texel, float height_1, int azimuth_1)
 {
-    if ((ground_1.floor_curvature <= 0.0)) {
-        return BARCHAN_NO_HORIZON;
-    }
-    float raised_1 = max((ground_1.floor_curvature * (height_1 - ground_1.lowest)), 0.0);
-    return -(sqrt((raised_1 * (2.0 + raised_1))));
-}
+    float slope = BARCHAN_NO_HORIZON;
+    int candidate = int(0);
 
-float barchan_curved_towards(BarchanGround ground_2, int2 texel_1, float height_2, int azimuth_2)
-{
-    float slope = (float)0;
-    int point_2 = int(0);
-
-    const float _e4 = barchan_smooth_slope(ground_2, height_2);
-    slope = _e4;
-    const int _e6 = barchan_points();
+    uint elevations = barchan_tables[3].candidates;
+    uint distances = barchan_tables[4].candidates;
+    int candidates = int(min(min(elevations, distances), 7u));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e17 = point_2;
-            point_2 = asint(asuint(_e17) + asuint(int(1)));
+            int _e38 = candidate;
+            candidate = asint(asuint(_e38) + asuint(int(1)));
         }
         loop_init = false;
-        int _e9 = point_2;
-        if ((_e9 < _e6)) {
+        int _e20 = candidate;
+        if ((_e20 < candidates)) {
         } else {
             break;
         }
         {
-            float _e11 = slope;
-            int _e12 = point_2;
-            const BarchanPoint _e13 = barchan_point(_e12, texel_1, azimuth_2);
-            const float _e14 = barchan_carried_slope(ground_2, _e13, height_2);
-            slope = max(_e11, _e14);
+            int _e22 = candidate;
+            uint _e26 = barchan_tables[3].azimuths;
+            int layer_10 = asint(asuint(asint(asuint(_e22) * asuint(int(_e26)))) + asuint(azimuth_1));
+            const float _e30 = barchan_swept_horizon_before_transfer(texel, layer_10);
+            const float _e32 = barchan_swept_distance_texel(texel, layer_10);
+            const BarchanPoint _e33 = barchan_point_of(BARCHAN_SWEPT_HORIZON, _e30, _e32);
+            float _e34 = slope;
+            const float _e35 = barchan_carried_slope(ground_1, _e33, height_1);
+            slope = max(_e34, _e35);
         }
     }
-    float _e19 = slope;
-    const float _e20 = barchan_arctangent(_e19);
-    return _e20;
+    float _e40 = slope;
+    return _e40;
 }
 
-float barchan_curved_texel(BarchanGround ground_3, int2 texel_2, BarchanNeighbours beside)
+BarchanGround ConstructBarchanGround(float arg0, float arg1, float arg2, float arg3) {
+    BarchanGround ret = (BarchanGround)0;
+    ret.curvature = arg0;
+    ret.stretch = arg1;
+    ret.lowest = arg2;
+    ret.floor_curvature = arg3;
+    return ret;
+}
+
+BarchanGround barchan_ground(float curvature, float stretch, float lowest)
+{
+    float widened_1 = (1.0 + (curvature * lowest));
+    if (!(((curvature * widened_1) > 0.0))) {
+        const BarchanGround barchanground = ConstructBarchanGround(curvature, stretch, lowest, 0.0);
+        return barchanground;
+    }
+    const BarchanGround barchanground_1 = ConstructBarchanGround(curvature, stretch, lowest, min((curvature / widened_1), 1e30));
+    return barchanground_1;
+}
+
+float barchan_smooth_slope(BarchanGround ground_2, float height_2)
+{
+    if ((ground_2.floor_curvature <= 0.0)) {
+        return BARCHAN_NO_HORIZON;
+    }
+    float raised_1 = max((ground_2.floor_curvature * (height_2 - ground_2.lowest)), 0.0);
+    return -(sqrt((raised_1 * (2.0 + raised_1))));
+}
+
+float barchan_curved_towards(BarchanGround ground_3, int2 texel_1, float height_3, int azimuth_2)
+{
+    const float _e4 = barchan_horizon_before_transfer(texel_1, azimuth_2);
+    const float _e6 = barchan_distance_texel(texel_1, azimuth_2);
+    const BarchanPoint _e7 = barchan_point_of(BARCHAN_HORIZON, _e4, _e6);
+    const float _e8 = barchan_smooth_slope(ground_3, height_3);
+    const float _e9 = barchan_carried_slope(ground_3, _e7, height_3);
+    float slope_1 = max(_e8, _e9);
+    const float _e11 = barchan_further_slope(ground_3, texel_1, height_3, azimuth_2);
+    const float _e13 = barchan_arctangent(max(slope_1, _e11));
+    return _e13;
+}
+
+float barchan_curved_texel(BarchanGround ground_4, int2 texel_2, BarchanNeighbours beside)
 {
     float elevation = 0.0;
     int side = int(0);
@@ -654,7 +645,7 @@ float barchan_curved_texel(BarchanGround ground_3, int2 texel_2, BarchanNeighbou
                 int _e24 = side;
                 int azimuth_3 = ((_e24 == int(1)) ? beside.second : beside.first);
                 float _e28 = elevation;
-                const float _e29 = barchan_curved_towards(ground_3, texel_2, _e4, azimuth_3);
+                const float _e29 = barchan_curved_towards(ground_4, texel_2, _e4, azimuth_3);
                 elevation = (_e28 + (weight_1 * _e29));
             }
         }

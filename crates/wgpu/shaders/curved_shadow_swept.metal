@@ -47,16 +47,16 @@ struct BarchanGradients {
     metal::float3 of_u;
     metal::float3 of_v;
 };
-struct BarchanPoint {
-    float sine;
-    float cosine;
-    float distance;
-};
 struct BarchanGround {
     float curvature;
     float stretch;
     float lowest;
     float floor_curvature;
+};
+struct BarchanPoint {
+    float sine;
+    float cosine;
+    float distance;
 };
 struct BarchanProbe {
     metal::float2 place;
@@ -80,9 +80,9 @@ constant uint BARCHAN_DISTANCE = 2u;
 constant uint BARCHAN_SWEPT_HORIZON = 3u;
 constant uint BARCHAN_SWEPT_DISTANCE = 4u;
 constant float BARCHAN_TURN = 6.2831855;
+constant float BARCHAN_NO_HORIZON = -340000000000000000000000000000000000000.0;
 constant float BARCHAN_LEAST_COSINE = 0.00000007549789;
 constant float BARCHAN_GREATEST_ELEVATION = 1.5707963;
-constant float BARCHAN_NO_HORIZON = -340000000000000000000000000000000000000.0;
 constant float BARCHAN_CLOSED = 340000000000000000000000000000000000000.0;
 
 float barchan_arcsine(
@@ -476,8 +476,8 @@ BarchanTangentLight barchan_tangent_light(
     metal::float2 extent
 ) {
     bool local_2 = {};
-    float height_3 = metal::dot(towards, normal_1);
-    metal::float3 tangent_1 = towards - (normal_1 * height_3);
+    float height_4 = metal::dot(towards, normal_1);
+    metal::float3 tangent_1 = towards - (normal_1 * height_4);
     float level_1 = metal::length(tangent_1);
     metal::float2 _e9 = barchan_texture_step(along_u_3, along_v_3, tangent_1);
     metal::float2 on_grid = _e9 * extent;
@@ -489,10 +489,10 @@ BarchanTangentLight barchan_tangent_light(
     }
     bool _e19 = local_2;
     if (!(_e19)) {
-        return BarchanTangentLight {height_3, level_1, _e9, 0.0, 1.0};
+        return BarchanTangentLight {height_4, level_1, _e9, 0.0, 1.0};
     }
     float _e24 = barchan_azimuth(on_grid);
-    return BarchanTangentLight {height_3, level_1, _e9, _e24, level_1 / grid_length};
+    return BarchanTangentLight {height_4, level_1, _e9, _e24, level_1 / grid_length};
 }
 
 float barchan_mean_curvature(
@@ -526,14 +526,6 @@ float barchan_curvature_along(
     return metal::dot(second_1, products) / length_squared;
 }
 
-int barchan_points(
-    constant BarchanTables& barchan_tables
-) {
-    uint elevations = barchan_tables.inner[3].candidates;
-    uint distances = barchan_tables.inner[4].candidates;
-    return as_type<int>(as_type<uint>(1) + as_type<uint>(static_cast<int>(metal::min(metal::min(elevations, distances), 7u))));
-}
-
 BarchanPoint barchan_point_of(
     uint table_10,
     float stored_4,
@@ -549,42 +541,6 @@ BarchanPoint barchan_point_of(
     return BarchanPoint {_e24.x, metal::max(_e24.y, BARCHAN_LEAST_COSINE), distance};
 }
 
-BarchanPoint barchan_point(
-    int point,
-    metal::int2 texel,
-    int azimuth_1,
-    constant BarchanTables& barchan_tables,
-    metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
-    metal::texture2d_array<float, metal::access::sample> barchan_distance_texels,
-    metal::texture2d_array<float, metal::access::sample> barchan_swept_horizon_texels,
-    metal::texture2d_array<float, metal::access::sample> barchan_swept_distance_texels
-) {
-    if (point == 0) {
-        float _e5 = barchan_horizon_before_transfer(texel, azimuth_1, barchan_tables, barchan_horizon_texels);
-        float _e7 = barchan_distance_texel(texel, azimuth_1, barchan_tables, barchan_distance_texels);
-        BarchanPoint _e8 = barchan_point_of(BARCHAN_HORIZON, _e5, _e7, barchan_tables);
-        return _e8;
-    }
-    uint _e14 = barchan_tables.inner[3].azimuths;
-    int layer_10 = as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(point) - as_type<uint>(1))) * as_type<uint>(static_cast<int>(_e14)))) + as_type<uint>(azimuth_1));
-    float _e18 = barchan_swept_horizon_before_transfer(texel, layer_10, barchan_tables, barchan_swept_horizon_texels);
-    float _e20 = barchan_swept_distance_texel(texel, layer_10, barchan_tables, barchan_swept_distance_texels);
-    BarchanPoint _e21 = barchan_point_of(BARCHAN_SWEPT_HORIZON, _e18, _e20, barchan_tables);
-    return _e21;
-}
-
-BarchanGround barchan_ground(
-    float curvature,
-    float stretch,
-    float lowest
-) {
-    float widened = 1.0 + (curvature * lowest);
-    if (!(((curvature * widened) > 0.0))) {
-        return BarchanGround {curvature, stretch, lowest, 0.0};
-    }
-    return BarchanGround {curvature, stretch, lowest, metal::min(curvature / widened, 1000000000000000000000000000000.0)};
-}
-
 float barchan_sinc(
     float x,
     float sine_1
@@ -597,12 +553,12 @@ float barchan_sinc(
 
 float barchan_carried_slope(
     BarchanGround ground,
-    BarchanPoint point_1,
+    BarchanPoint point,
     float height
 ) {
     bool local_3 = {};
     bool local_4 = {};
-    float angle_3 = ground.curvature * (ground.stretch * point_1.distance);
+    float angle_3 = ground.curvature * (ground.stretch * point.distance);
     float raised = 1.0 + (ground.curvature * height);
     if (angle_3 < 1.5707963) {
         local_3 = angle_3 > -3.1415925;
@@ -619,32 +575,86 @@ float barchan_carried_slope(
     if (!(_e25)) {
         return BARCHAN_NO_HORIZON;
     }
-    float run = point_1.cosine * ground.stretch;
-    float widened_1 = (run * raised) + (angle_3 * point_1.sine);
-    if (!((widened_1 > 0.0))) {
+    float run = point.cosine * ground.stretch;
+    float widened = (run * raised) + (angle_3 * point.sine);
+    if (!((widened > 0.0))) {
         return (ground.curvature > 0.0) ? BARCHAN_NO_HORIZON : BARCHAN_CLOSED;
     }
     metal::float2 _e46 = barchan_sine_cosine(0.5 * angle_3);
     float _e50 = barchan_sinc(0.5 * angle_3, _e46.x);
-    float rise = (point_1.sine * (1.0 - ((2.0 * _e46.x) * _e46.x))) - (((run * raised) * _e46.x) * _e50);
-    return metal::clamp(rise / ((widened_1 * _e50) * _e46.y), BARCHAN_NO_HORIZON, BARCHAN_CLOSED);
+    float rise = (point.sine * (1.0 - ((2.0 * _e46.x) * _e46.x))) - (((run * raised) * _e46.x) * _e50);
+    return metal::clamp(rise / ((widened * _e50) * _e46.y), BARCHAN_NO_HORIZON, BARCHAN_CLOSED);
+}
+
+float barchan_further_slope(
+    BarchanGround ground_1,
+    metal::int2 texel,
+    float height_1,
+    int azimuth_1,
+    constant BarchanTables& barchan_tables,
+    metal::texture2d_array<float, metal::access::sample> barchan_swept_horizon_texels,
+    metal::texture2d_array<float, metal::access::sample> barchan_swept_distance_texels
+) {
+    float slope = BARCHAN_NO_HORIZON;
+    int candidate = 0;
+    uint elevations = barchan_tables.inner[3].candidates;
+    uint distances = barchan_tables.inner[4].candidates;
+    int candidates = static_cast<int>(metal::min(metal::min(elevations, distances), 7u));
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            int _e38 = candidate;
+            candidate = as_type<int>(as_type<uint>(_e38) + as_type<uint>(1));
+        }
+        loop_init = false;
+        int _e20 = candidate;
+        if (_e20 < candidates) {
+        } else {
+            break;
+        }
+        {
+            int _e22 = candidate;
+            uint _e26 = barchan_tables.inner[3].azimuths;
+            int layer_10 = as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(_e22) * as_type<uint>(static_cast<int>(_e26)))) + as_type<uint>(azimuth_1));
+            float _e30 = barchan_swept_horizon_before_transfer(texel, layer_10, barchan_tables, barchan_swept_horizon_texels);
+            float _e32 = barchan_swept_distance_texel(texel, layer_10, barchan_tables, barchan_swept_distance_texels);
+            BarchanPoint _e33 = barchan_point_of(BARCHAN_SWEPT_HORIZON, _e30, _e32, barchan_tables);
+            float _e34 = slope;
+            float _e35 = barchan_carried_slope(ground_1, _e33, height_1);
+            slope = metal::max(_e34, _e35);
+        }
+    }
+    float _e40 = slope;
+    return _e40;
+}
+
+BarchanGround barchan_ground(
+    float curvature,
+    float stretch,
+    float lowest
+) {
+    float widened_1 = 1.0 + (curvature * lowest);
+    if (!(((curvature * widened_1) > 0.0))) {
+        return BarchanGround {curvature, stretch, lowest, 0.0};
+    }
+    return BarchanGround {curvature, stretch, lowest, metal::min(curvature / widened_1, 1000000000000000000000000000000.0)};
 }
 
 float barchan_smooth_slope(
-    BarchanGround ground_1,
-    float height_1
+    BarchanGround ground_2,
+    float height_2
 ) {
-    if (ground_1.floor_curvature <= 0.0) {
+    if (ground_2.floor_curvature <= 0.0) {
         return BARCHAN_NO_HORIZON;
     }
-    float raised_1 = metal::max(ground_1.floor_curvature * (height_1 - ground_1.lowest), 0.0);
+    float raised_1 = metal::max(ground_2.floor_curvature * (height_2 - ground_2.lowest), 0.0);
     return -(metal::sqrt(raised_1 * (2.0 + raised_1)));
 }
 
 float barchan_curved_towards(
-    BarchanGround ground_2,
+    BarchanGround ground_3,
     metal::int2 texel_1,
-    float height_2,
+    float height_3,
     int azimuth_2,
     constant BarchanTables& barchan_tables,
     metal::texture2d_array<float, metal::access::sample> barchan_horizon_texels,
@@ -652,38 +662,19 @@ float barchan_curved_towards(
     metal::texture2d_array<float, metal::access::sample> barchan_swept_horizon_texels,
     metal::texture2d_array<float, metal::access::sample> barchan_swept_distance_texels
 ) {
-    float slope = {};
-    int point_2 = 0;
-    float _e4 = barchan_smooth_slope(ground_2, height_2);
-    slope = _e4;
-    int _e6 = barchan_points(barchan_tables);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            int _e17 = point_2;
-            point_2 = as_type<int>(as_type<uint>(_e17) + as_type<uint>(1));
-        }
-        loop_init = false;
-        int _e9 = point_2;
-        if (_e9 < _e6) {
-        } else {
-            break;
-        }
-        {
-            float _e11 = slope;
-            int _e12 = point_2;
-            BarchanPoint _e13 = barchan_point(_e12, texel_1, azimuth_2, barchan_tables, barchan_horizon_texels, barchan_distance_texels, barchan_swept_horizon_texels, barchan_swept_distance_texels);
-            float _e14 = barchan_carried_slope(ground_2, _e13, height_2);
-            slope = metal::max(_e11, _e14);
-        }
-    }
-    float _e19 = slope;
-    float _e20 = barchan_arctangent(_e19);
-    return _e20;
+    float _e4 = barchan_horizon_before_transfer(texel_1, azimuth_2, barchan_tables, barchan_horizon_texels);
+    float _e6 = barchan_distance_texel(texel_1, azimuth_2, barchan_tables, barchan_distance_texels);
+    BarchanPoint _e7 = barchan_point_of(BARCHAN_HORIZON, _e4, _e6, barchan_tables);
+    float _e8 = barchan_smooth_slope(ground_3, height_3);
+    float _e9 = barchan_carried_slope(ground_3, _e7, height_3);
+    float slope_1 = metal::max(_e8, _e9);
+    float _e11 = barchan_further_slope(ground_3, texel_1, height_3, azimuth_2, barchan_tables, barchan_swept_horizon_texels, barchan_swept_distance_texels);
+    float _e13 = barchan_arctangent(metal::max(slope_1, _e11));
+    return _e13;
 }
 
 float barchan_curved_texel(
-    BarchanGround ground_3,
+    BarchanGround ground_4,
     metal::int2 texel_2,
     BarchanNeighbours beside,
     constant BarchanTables& barchan_tables,
@@ -715,7 +706,7 @@ float barchan_curved_texel(
                 int _e24 = side;
                 int azimuth_3 = (_e24 == 1) ? beside.second : beside.first;
                 float _e28 = elevation;
-                float _e29 = barchan_curved_towards(ground_3, texel_2, _e4, azimuth_3, barchan_tables, barchan_horizon_texels, barchan_distance_texels, barchan_swept_horizon_texels, barchan_swept_distance_texels);
+                float _e29 = barchan_curved_towards(ground_4, texel_2, _e4, azimuth_3, barchan_tables, barchan_horizon_texels, barchan_distance_texels, barchan_swept_horizon_texels, barchan_swept_distance_texels);
                 elevation = _e28 + (weight_1 * _e29);
             }
         }

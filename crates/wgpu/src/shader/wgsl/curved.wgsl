@@ -99,12 +99,10 @@ fn barchan_smooth_slope(ground: BarchanGround, height: f32) -> f32 {
 
 // The elevation of a texel's horizon in one azimuth.
 fn barchan_curved_towards(ground: BarchanGround, texel: vec2<i32>, height: f32, azimuth: i32) -> f32 {
-    var slope = barchan_smooth_slope(ground, height);
-    let points = barchan_points();
-    for (var point = 0; point < points; point++) {
-        slope = max(slope, barchan_carried_slope(ground, barchan_point(point, texel, azimuth), height));
-    }
-    return barchan_arctangent(slope);
+    let elevation = barchan_horizon_before_transfer(texel, azimuth);
+    let point = barchan_point_of(BARCHAN_HORIZON, elevation, barchan_distance_texel(texel, azimuth));
+    let slope = max(barchan_smooth_slope(ground, height), barchan_carried_slope(ground, point, height));
+    return barchan_arctangent(max(slope, barchan_further_slope(ground, texel, height, azimuth)));
 }
 
 // The elevation of a texel's horizon between two azimuths.

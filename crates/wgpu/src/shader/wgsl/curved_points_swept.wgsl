@@ -1,19 +1,18 @@
-// The points of a map that is swept over a range of curvatures: first the flat surface's, then as many candidates as are loaded. The
-// candidates must be loaded for the azimuths of the horizon.
+// A map that is swept over a range of curvatures has further points of each texel and azimuth, as many candidates as are loaded. These
+// must be loaded for the azimuths of the horizon.
 
-// A map has at most 8 points.
-fn barchan_points() -> i32 {
+// The slope of the highest of them on the curved surface.
+fn barchan_further_slope(ground: BarchanGround, texel: vec2<i32>, height: f32, azimuth: i32) -> f32 {
     let elevations = barchan_tables[BARCHAN_SWEPT_HORIZON].candidates;
     let distances = barchan_tables[BARCHAN_SWEPT_DISTANCE].candidates;
-    return 1 + i32(min(min(elevations, distances), 7u));
-}
-
-fn barchan_point(point: i32, texel: vec2<i32>, azimuth: i32) -> BarchanPoint {
-    if point == 0 {
-        let elevation = barchan_horizon_before_transfer(texel, azimuth);
-        return barchan_point_of(BARCHAN_HORIZON, elevation, barchan_distance_texel(texel, azimuth));
+    // A map has at most 8 points, the flat surface's among them.
+    let candidates = i32(min(min(elevations, distances), 7u));
+    var slope = BARCHAN_NO_HORIZON;
+    for (var candidate = 0; candidate < candidates; candidate++) {
+        let layer = candidate * i32(barchan_tables[BARCHAN_SWEPT_HORIZON].azimuths) + azimuth;
+        let elevation = barchan_swept_horizon_before_transfer(texel, layer);
+        let point = barchan_point_of(BARCHAN_SWEPT_HORIZON, elevation, barchan_swept_distance_texel(texel, layer));
+        slope = max(slope, barchan_carried_slope(ground, point, height));
     }
-    let layer = (point - 1) * i32(barchan_tables[BARCHAN_SWEPT_HORIZON].azimuths) + azimuth;
-    let elevation = barchan_swept_horizon_before_transfer(texel, layer);
-    return barchan_point_of(BARCHAN_SWEPT_HORIZON, elevation, barchan_swept_distance_texel(texel, layer));
+    return slope;
 }
