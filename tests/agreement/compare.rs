@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use barchan_metrics::{ErrorStats, false_colour};
 
+use crate::support::report;
+
 /// Fails unless all but a share of `found` lie within a tolerance of `expected`; the message says how far apart they are, where,
 /// and which pictures show it. Returns the greatest difference. Both are `(width, height)` numbers, row by row from the top.
 #[track_caller]
@@ -15,7 +17,10 @@ pub(crate) fn agree(
     tolerance: f64,
     allowed_share: f64,
 ) -> f64 {
-    compare(name, size, found, expected, tolerance, allowed_share).unwrap_or_else(|message| panic!("{message}"))
+    let worst = compare(name, size, found, expected, tolerance, allowed_share);
+    let worst = worst.unwrap_or_else(|message| panic!("{message}"));
+    report(name, worst, tolerance);
+    worst
 }
 
 /// [`agree`] without the panic.
